@@ -1,0 +1,34 @@
+#pragma once
+
+#include "meshing/mesh_quality.hpp"
+#include "pfv/problem/case.hpp"
+
+#include <filesystem>
+
+namespace meshing {
+
+struct MeshSettings {
+  double mesh_size = 1.0;     // scales every element length; 1 is the default, 2 twice as coarse
+  double bridge_radius = 0.2; // of the cylinders that replace contacts, in units of the smaller sphere radius
+};
+
+/// A tetrahedral mesh of the void of a case's packing, in a file.
+struct VoidMesh {
+  std::filesystem::path file; // gmsh MSH 2.2 ASCII, linear tetrahedra, metres
+  MeshQuality quality;
+  double cpu_seconds = 0;     // what making it took, also when it comes from the cache
+  bool from_cache = false;
+};
+
+/// Meshes the void between the spheres of a case inside its box with gmsh, in a child process, or takes it from the cache
+/// (`cache_folder`, keyed by the digest of packing and settings). Physical groups: volume `fluid`; surfaces `x_min` ...
+/// `z_max` (the parts of the box faces that bound fluid), `sphere_K` (K the 0-based index in the packing) and, where two
+/// spheres touch or nearly touch, `bridge_I_J` (I < J), where a sphere touches a wall, `bridge_K_x_min` and so on.
+/// Element sizes follow the gap: small where two surfaces are near.
+/// Throws pfv::SolveError with gmsh's own last words when it fails.
+VoidMesh void_mesh(const pfv::Case& problem, const MeshSettings& settings, const std::filesystem::path& cache_folder);
+
+/// `$PFV_MESH_CACHE`, else `$XDG_CACHE_HOME/pfv/meshes`, else `~/.cache/pfv/meshes`.
+std::filesystem::path default_mesh_cache();
+
+} // namespace meshing

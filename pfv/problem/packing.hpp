@@ -1,0 +1,50 @@
+#pragma once
+
+#include "pfv/problem/vec3.hpp"
+
+#include <filesystem>
+#include <iosfwd>
+#include <vector>
+
+namespace pfv {
+
+struct Sphere {
+  Vec3 centre;   // m
+  double radius; // m
+
+  bool operator==(const Sphere&) const = default;
+};
+
+/// Axis-aligned box that holds the packing.
+struct Box {
+  Vec3 lower = Vec3::Zero(); // m
+  Vec3 upper = Vec3::Ones(); // m
+
+  Vec3 size() const { return upper - lower; }
+  double volume() const { return size().prod(); }
+  bool operator==(const Box&) const = default;
+};
+
+struct Packing {
+  Box box;
+  std::vector<Sphere> spheres;
+
+  bool operator==(const Packing&) const = default;
+};
+
+/// Reads a packing: text (`# box x0 y0 z0 x1 y1 z1`, then `x y z r` per line, SI) or, when the first line that is not a
+/// comment names the columns, CSV (`x,y,z,r` in any order; the box comes from the same `# box` comment).
+/// Throws InputError naming file, line, value and what is allowed.
+Packing read_packing(const std::filesystem::path& file);
+
+/// Writes the text form, every number with the digits that read back to the same double.
+void write_packing(const Packing& packing, std::ostream& out);
+
+/// Throws InputError on the first thing no method can work with: an empty box or packing, a value that is not finite, a
+/// radius that is not positive, a centre outside the box, two identical spheres.
+void validate(const Packing& packing);
+
+/// Volume of the spheres / volume of the box, each sphere counted whole: meaningless when spheres overlap or are cut.
+double solid_fraction(const Packing& packing);
+
+} // namespace pfv

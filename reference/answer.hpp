@@ -1,0 +1,35 @@
+#pragma once
+
+#include "pfv/clock.hpp"
+#include "pfv/problem/vec3.hpp"
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace reference {
+
+/// What a method says about a Case: the common currency of all comparisons. A quantity a method does not compute is
+/// absent, never zero. SI units.
+struct Answer {
+  std::string method;
+  double mesh_size = 1;                   // of the Resolution asked for; 1 for methods without a mesh
+  std::size_t unknowns = 0;               // degrees of freedom of the largest system solved
+  std::optional<double> permeability;     // m^2
+  std::array<double, 6> face_flux{};      // m^3/s by pfv::Face, positive out of the box
+  std::optional<double> porosity;         // of the geometry actually solved
+  std::optional<std::vector<pfv::Vec3>> sphere_forces;      // N, of the flow (piezometric pressure and viscous), no buoyancy
+  std::optional<std::array<pfv::Vec3, 6>> wall_forces;      // N, by pfv::Face, of the fluid on the face
+  std::vector<pfv::Stage> stages;         // CPU seconds by stage, once-per-mesh stages marked by name "mesh"
+  std::map<std::string, double> counts;   // remedies and checks: contracted_throats, bridges, iterations, flux_imbalance
+  std::map<std::string, std::string> notes; // versions, settings, anything a reader needs to judge the number
+};
+
+/// One JSON object, numbers with the digits that read back to the same double; from_json(to_json(a)) gives a.
+std::string to_json(const Answer& answer);
+Answer answer_from_json(const std::string& text);
+
+} // namespace reference

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "pfv/clock.hpp"
+#include "pfv/problem/case.hpp"
+#include "reference/answer.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace reference {
+
+/// How fine. mesh_size scales every element length of a method's default mesh: 1 is the default, 2 twice as coarse.
+struct Resolution {
+  double mesh_size = 1;
+};
+
+/// What a run is expected to take, known before it starts.
+struct Estimate {
+  double unknowns = 0;
+  double cpu_seconds = 0;
+  double memory_bytes = 0;
+};
+
+/// Anything that answers a Case: ours, brute force or closed form, all behind the same few questions.
+class Method {
+public:
+  virtual ~Method() = default;
+
+  virtual std::string name() const = 0;
+  /// One line on what it is, for `study methods`.
+  virtual std::string description() const = 0;
+  /// Why it cannot run on this machine or build; nothing when it can.
+  virtual std::optional<std::string> unavailable() const { return std::nullopt; }
+  /// Why it does not answer this case; nothing when it does.
+  virtual std::optional<std::string> not_covered(const pfv::Case& problem) const = 0;
+  /// Expected order of convergence of the permeability in mesh_size; nothing for a method without a mesh.
+  virtual std::optional<double> convergence_order() const { return std::nullopt; }
+  virtual Estimate estimate(const pfv::Case& problem, const Resolution& resolution) const = 0;
+  /// Throws pfv::SolveError with the reason when it cannot answer. Calls from one process, one thread.
+  virtual Answer solve(const pfv::Case& problem, const Resolution& resolution, pfv::Clock& clock) const = 0;
+};
+
+/// Every method known to this build, available or not, in the order tables show them.
+const std::vector<std::unique_ptr<Method>>& methods();
+
+/// Throws pfv::InputError naming the valid names.
+const Method& find_method(const std::string& name);
+
+} // namespace reference
