@@ -1,0 +1,29 @@
+#pragma once
+
+#include "pfv/pores/pore_network.hpp"
+#include "pfv/problem/case.hpp"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace pfv {
+
+/// Force of the fluid on every sphere, by origin (N). Catalano et al. 2011, eq. (9); Chareyre et al. 2012.
+struct FluidForces {
+  std::vector<Vec3> pressure;                // of the piezometric pressure on the sphere's surface
+  std::vector<Vec3> viscous;                 // of the shear stress
+  std::optional<std::vector<Vec3>> buoyancy; // - rho_f g V; when the case names it
+  std::array<Vec3, 6> on_face{};             // on the faces of the box, by index(Face); no buoyancy
+
+  /// Pressure and viscous force on one sphere: what the flow does.
+  Vec3 of_flow(std::size_t sphere) const { return pressure[sphere] + viscous[sphere]; }
+};
+
+/// Each throat carries (p_i - p_j) n S: the sphere k takes its sector of the facet, A_k, as pressure force and its share
+/// gamma_k / gamma of the fluid area S_f as viscous force. A slip wall takes no share of S_f. The sum over spheres and
+/// faces is zero to round-off, because the facets of a pore close.
+FluidForces fluid_forces(const PoreNetwork& network, const std::vector<double>& pressure,
+                         const std::optional<Buoyancy>& buoyancy);
+
+} // namespace pfv
