@@ -10,25 +10,27 @@
 namespace meshing {
 
 struct ChildOptions {
-  std::filesystem::path working_folder;           // the parent's when empty
-  std::filesystem::path log;                      // standard output and error, discarded when empty
-  std::map<std::string, std::string> environment; // added to the parent's
-  std::optional<double> wall_limit;               // s; the child and its children are killed past it
+  std::filesystem::path working_folder{};           // the parent's when empty
+  std::filesystem::path log{};                      // standard output and error, discarded when empty
+  std::map<std::string, std::string> environment{}; // added to the parent's
+  std::optional<double> wall_limit{};               // s; the child and its children are killed past it
 };
 
 struct ChildResult {
-  int exit_code = -1;                // -1 when ended by a signal
-  int signal = 0;                    // 0 when it exited by itself
+  int exit_code = -1; // -1 when ended by a signal
+  int signal = 0;     // 0 when it exited by itself
   bool timed_out = false;
+  double wall_seconds = 0;
   double cpu_seconds = 0;            // user + system, of the child and the children it waited for
-  std::size_t peak_memory_bytes = 0; // largest of the child and the children it waited for
+  std::size_t peak_memory_bytes = 0; // largest of the child and those; never below what this process held at the start
   bool succeeded() const { return exit_code == 0 && signal == 0; }
   /// "exit code 3", "killed by signal 11 (Segmentation fault)", "stopped after 60 s".
   std::string how_it_ended() const;
 };
 
-/// Runs a program without a shell in its own process group and waits for it (wait4); the group dies with the parent.
-/// Throws std::system_error when it cannot be started.
+/// Runs a program without a shell, found by PATH, with no input, in its own process group, and waits for it (wait4).
+/// What is left of the group is killed when it ends, and the program when the calling thread dies. Throws
+/// std::system_error when it cannot be started.
 ChildResult run_child(const std::vector<std::string>& arguments, const ChildOptions& options = {});
 
 /// The last lines of a log, on one line, for a message.
