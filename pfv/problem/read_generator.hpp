@@ -1,0 +1,12 @@
+#pragma once
+
+#include "pfv/problem/packing.hpp"
+
+#include <toml++/toml.h>
+
+namespace pfv {
+
+/// The packing made by the generator that [packing] names, with its parameters. Throws InputError with file and line.
+Packing read_generator(const toml::table& table);
+
+} // namespace pfv
