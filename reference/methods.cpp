@@ -24,6 +24,7 @@ std::vector<std::unique_ptr<Method>> make_methods() {
   std::vector<std::unique_ptr<Method>> list;
 #ifdef PFV_WITH_PORE_VOLUMES
   list.push_back(make_pore_volumes());
+  list.push_back(make_pore_volumes_sor());
 #endif
 #ifdef PFV_WITH_STOKES_FEM
   list.push_back(make_stokes_fem());

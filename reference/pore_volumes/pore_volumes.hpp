@@ -5,7 +5,10 @@
 namespace reference {
 
 /// The pore-scale finite-volume model itself, as one method among the others: one pore per tetrahedron of the regular
-/// triangulation, one conductance per facet, one sparse solve.
+/// triangulation, one conductance per facet, one sparse solve by Cholesky factorisation.
 std::unique_ptr<Method> make_pore_volumes();
+
+/// The same system solved by the over-relaxed Gauss-Seidel of Catalano et al. 2011: the historical row.
+std::unique_ptr<Method> make_pore_volumes_sor();
 
 } // namespace reference

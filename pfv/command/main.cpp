@@ -1,0 +1,36 @@
+#include "pfv/command/permeability_command.hpp"
+#include "pfv/problem/error.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fmt/format.h>
+
+namespace {
+
+enum ExitCode { answered = 0, bad_input = 2, not_solved = 3 };
+
+int fail(ExitCode code, const std::exception& error) {
+  fmt::print(stderr, "pfv: {}\n", error.what());
+  return code;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Pore-scale finite volumes on the regular triangulation of a sphere packing", "pfv"};
+  app.set_version_flag("--version", PFV_VERSION);
+  app.require_subcommand(1);
+  pfv::add_permeability_command(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& request) {
+    return app.exit(request);
+  } catch (const CLI::ParseError& error) {
+    return fail(bad_input, error);
+  } catch (const pfv::InputError& error) {
+    return fail(bad_input, error);
+  } catch (const std::exception& error) {
+    return fail(not_solved, error);
+  }
+  return answered;
+}
