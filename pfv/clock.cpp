@@ -8,9 +8,13 @@ namespace pfv {
 
 Clock::Timing::Timing(Clock& clock, std::size_t stage) : clock_(clock), stage_(stage), start_(process_cpu_seconds()) {}
 
-Clock::Timing::~Timing() { clock_.stages_[stage_].cpu_seconds += process_cpu_seconds() - start_; }
+Clock::Timing::~Timing() {
+  clock_.stages_[stage_].cpu_seconds += process_cpu_seconds() - start_;
+}
 
-Clock::Timing Clock::stage(const std::string& name) { return Timing(*this, find_or_append(name)); }
+Clock::Timing Clock::stage(const std::string& name) {
+  return Timing(*this, find_or_append(name));
+}
 
 void Clock::add(const std::string& name, double cpu_seconds) {
   stages_[find_or_append(name)].cpu_seconds += cpu_seconds;

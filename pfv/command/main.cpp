@@ -26,7 +26,8 @@ int main(int argc, char** argv) {
   } catch (const CLI::Success& request) {
     return app.exit(request);
   } catch (const CLI::ParseError& error) {
-    return fail(bad_input, error);
+    fmt::print(stderr, "pfv: {}; pfv permeability --help says what is allowed\n", error.what());
+    return bad_input;
   } catch (const pfv::InputError& error) {
     return fail(bad_input, error);
   } catch (const std::exception& error) {

@@ -48,6 +48,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<FlowSolver> make_cholmod() { return std::make_unique<CholmodSolver>(); }
+std::unique_ptr<FlowSolver> make_cholmod() {
+  return std::make_unique<CholmodSolver>();
+}
 
 } // namespace pfv

@@ -14,7 +14,9 @@ double conductance(const HydraulicRadius& rule, const PoreNetwork::Throats& thro
   return rule.alpha * throats.fluid_area[t] * radius * radius / (viscosity * throats.length[t]);
 }
 
-double wall_factor(const MirrorWalls&, const std::array<Vertex, 3>&) { return 1; }
+double wall_factor(const MirrorWalls&, const std::array<Vertex, 3>&) {
+  return 1;
+}
 
 double wall_factor(const OriginalWalls&, const std::array<Vertex, 3>& vertices) {
   return std::pow(2, -0.5 * static_cast<double>(std::ranges::count_if(vertices, is_wall)));

@@ -3,6 +3,7 @@
 #include <Eigen/SparseCore>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -14,8 +15,8 @@ struct Cholmod {};
 
 /// Over-relaxed Gauss-Seidel, the solver of Catalano et al. 2011, section 5.
 struct GaussSeidel {
-  double relaxation = 1.9;    // 0 < relaxation < 2
-  double tolerance = 1e-12;   // of |b - A p| / |b|
+  std::optional<double> relaxation; // 0 < relaxation < 2; adapted to the matrix when absent
+  double tolerance = 1e-12;         // of |b - A p| / |b|
   int largest_sweeps = 200000;
 };
 
@@ -32,6 +33,7 @@ struct SolverReport {
   int iterations = 0;             // sweeps; refinement steps of a direct solver
   std::size_t factor_entries = 0; // nonzeros of the Cholesky factor
   double residual = 0;            // |b - A p| / |b|
+  double relaxation = 0;          // last one used, of Gauss-Seidel
 };
 
 /// Solves A p = b for a symmetric positive definite A of which the lower triangle is stored.

@@ -23,9 +23,9 @@ void find_known(const PoreNetwork& network, const FaceConditions& faces, PoreGro
         continue;
       int& known = face_of_group[groups.find(static_cast<int>(i))];
       if (known >= 0 && std::get<Pressure>(faces[known]).value != pressure->value)
-        throw SolveError(fmt::format("faces {} ({} Pa) and {} ({} Pa) meet in one pore: they must have the same pressure",
-                                     face_names[known], std::get<Pressure>(faces[known]).value, face_names[face],
-                                     pressure->value));
+        throw SolveError(
+            fmt::format("faces {} ({} Pa) and {} ({} Pa) meet in one pore: they must have the same pressure",
+                        face_names[known], std::get<Pressure>(faces[known]).value, face_names[face], pressure->value));
       if (known < 0)
         known = face;
     }

@@ -20,9 +20,9 @@ struct FluidForces {
   Vec3 of_flow(std::size_t sphere) const { return pressure[sphere] + viscous[sphere]; }
 };
 
-/// Each throat carries (p_i - p_j) n S: the sphere k takes its sector of the facet, A_k, as pressure force and its share
-/// gamma_k / gamma of the fluid area S_f as viscous force. A slip wall takes no share of S_f. The sum over spheres and
-/// faces is zero to round-off, because the facets of a pore close.
+/// Each throat carries (p_i - p_j) n S: the sphere k takes its sector of the facet, A_k, as pressure force and its
+/// share gamma_k / gamma of the fluid area S_f as viscous force. A slip wall takes no share of S_f. The sum over
+/// spheres and faces is zero to round-off, because the facets of a pore close.
 FluidForces fluid_forces(const PoreNetwork& network, const std::vector<double>& pressure,
                          const std::optional<Buoyancy>& buoyancy);
 

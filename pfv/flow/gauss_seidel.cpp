@@ -2,6 +2,8 @@
 
 #include "pfv/problem/error.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace pfv {
@@ -10,8 +12,8 @@ namespace {
 class GaussSeidelSolver final : public FlowSolver {
 public:
   explicit GaussSeidelSolver(const GaussSeidel& parameters) : parameters_(parameters) {
-    if (!(parameters.relaxation > 0 && parameters.relaxation < 2))
-      throw InputError(fmt::format("relaxation {} must lie between 0 and 2", parameters.relaxation));
+    if (parameters.relaxation && !(*parameters.relaxation > 0 && *parameters.relaxation < 2))
+      throw InputError(fmt::format("relaxation {} must lie between 0 and 2", *parameters.relaxation));
     report_.name = "gauss-seidel";
   }
 
@@ -24,21 +26,33 @@ public:
     report_.residual = 0;
     if (scale == 0)
       return solution;
-    constexpr int sweeps_between_checks = 10;
+    constexpr int sweeps_between_checks = 20;
+    double relaxation = parameters_.relaxation.value_or(1.9);
+    double decay = 0;
     do {
       if (report_.iterations >= parameters_.largest_sweeps)
-        throw SolveError(fmt::format("gauss-seidel: residual {:.1e} after {} sweeps, {:.1e} asked for", report_.residual,
-                                     report_.iterations, parameters_.tolerance));
-      for (int s = 0; s < sweeps_between_checks; ++s)
-        sweep(right_side, solution);
+        throw SolveError(fmt::format("gauss-seidel: residual {:.1e} after {} sweeps, {:.1e} asked for",
+                                     report_.residual, report_.iterations, parameters_.tolerance));
+      const double first = sweep(right_side, relaxation, solution);
+      double last = first;
+      for (int s = 1; s < sweeps_between_checks; ++s)
+        last = sweep(right_side, relaxation, solution);
+      const double previous_decay = decay;
+      decay = first > 0 ? std::pow(last / first, 1.0 / (sweeps_between_checks - 1)) : 0;
       report_.iterations += sweeps_between_checks;
+      report_.relaxation = relaxation;
+      const bool settled = std::abs(decay - previous_decay) < 0.1 * (1 - decay);
+      if (!parameters_.relaxation && settled)
+        relaxation = adapted(relaxation, decay);
       report_.residual = (right_side - rows_ * solution).norm() / scale;
     } while (!(report_.residual <= parameters_.tolerance));
     return solution;
   }
 
 private:
-  void sweep(const Eigen::VectorXd& right_side, Eigen::VectorXd& solution) const {
+  /// One pass over the pores; the norm of the change it makes.
+  double sweep(const Eigen::VectorXd& right_side, double relaxation, Eigen::VectorXd& solution) const {
+    double change = 0;
     for (Eigen::Index i = 0; i < rows_.outerSize(); ++i) {
       double balance = right_side[i], diagonal = 0;
       for (Rows::InnerIterator entry(rows_, i); entry; ++entry) {
@@ -47,8 +61,22 @@ private:
         else
           balance -= entry.value() * solution[entry.col()];
       }
-      solution[i] += parameters_.relaxation * (balance / diagonal - solution[i]);
+      const double step = relaxation * (balance / diagonal - solution[i]);
+      solution[i] += step;
+      change += step * step;
     }
+    return std::sqrt(change);
+  }
+
+  /// Raises the relaxation only: a decay at or below w - 1 means that w is at its optimum or past it.
+  static double adapted(double relaxation, double decay) {
+    if (!(decay > relaxation - 1 && decay < 1))
+      return relaxation;
+    const double rho = (decay + relaxation - 1) / (relaxation * std::sqrt(decay));
+    if (rho >= 1)
+      return relaxation;
+    const double best = 2 / (1 + std::sqrt(1 - rho * rho));
+    return std::clamp(best, relaxation, 1.999);
   }
 
   using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;

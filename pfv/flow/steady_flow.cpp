@@ -2,6 +2,7 @@
 
 #include "pfv/problem/error.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pfv {
@@ -18,6 +19,8 @@ std::optional<double> permeability(const Case& problem, const std::array<double,
 } // namespace
 
 SteadyFlow solve_steady_flow(const Case& problem, const FlowOptions& options, Clock& clock) {
+  if (std::ranges::none_of(problem.faces, [](const auto& face) { return std::holds_alternative<Pressure>(face); }))
+    throw InputError("no face has a pressure: at least one must, or the flow has no cause");
   SteadyFlow flow;
   flow.network = build_pore_network(problem.packing, clock);
   Conductances throat_conductances;

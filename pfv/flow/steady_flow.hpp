@@ -32,7 +32,8 @@ struct SteadyFlow {
 };
 
 /// Steady flow through a fixed packing and its forces: stages `triangulate`, `geometry`, `conductances`, `assemble`,
-/// `factor`, `solve`, `forces`. The case must be valid and have a Pressure face. Throws SolveError.
+/// `factor`, `solve`, `forces`. The case must be valid. Throws InputError without a Pressure
+/// face, and SolveError.
 SteadyFlow solve_steady_flow(const Case& problem, const FlowOptions& options, Clock& clock);
 
 } // namespace pfv

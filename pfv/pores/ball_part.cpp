@@ -40,8 +40,8 @@ struct CutOff {
   double area = 0;  // m^2
 };
 
-/// The cut-off in the cone of the wall's normal and one edge a -> b of a polygon in front of the wall: a circular sector
-/// where the edge runs outside the circle in which wall and sphere meet, a triangle where it runs inside.
+/// The cut-off in the cone of the wall's normal and one edge a -> b of a polygon in front of the wall: a circular
+/// sector where the edge runs outside the circle in which wall and sphere meet, a triangle where it runs inside.
 CutOff cut_off_under_edge(double radius, const WallCut& cut, const Vec3& a, const Vec3& b) {
   const double cosine = cut.distance / radius;
   const double circle = std::sqrt(std::max(0.0, radius * radius - cut.distance * cut.distance));
@@ -51,8 +51,7 @@ CutOff cut_off_under_edge(double radius, const WallCut& cut, const Vec3& a, cons
   // |across|^2 cosine^2 - along^2 (1 - cosine^2) = 0 on the circle: a quadratic in t.
   const Vec3 step = b - a;
   const auto form = [&](const Vec3& u, const Vec3& v) {
-    return cosine * cosine * across(u).dot(across(v)) -
-           (1 - cosine * cosine) * cut.outward.dot(u) * cut.outward.dot(v);
+    return cosine * cosine * across(u).dot(across(v)) - (1 - cosine * cosine) * cut.outward.dot(u) * cut.outward.dot(v);
   };
   const double qa = form(step, step), qb = form(a, step), qc = form(a, a);
   std::vector<double> ends{0};

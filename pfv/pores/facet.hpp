@@ -19,9 +19,9 @@ struct FacetCorner {
 /// rectangle that ends on two (one sphere and two walls).
 struct Facet {
   std::array<FacetCorner, 3> corners;
-  Vec3 point;   // m, the centre of one of its spheres
-  Vec3 normal;  // unit, by the order of the vertices; zero when the vertices are in line
-  double area;  // m^2
+  Vec3 point;  // m, the centre of one of its spheres
+  Vec3 normal; // unit, by the order of the vertices; zero when the vertices are in line
+  double area; // m^2
 };
 
 /// The facet of these vertices, at least one of them a sphere.

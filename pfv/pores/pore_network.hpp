@@ -11,11 +11,12 @@
 namespace pfv {
 
 /// The void of a packing as pores (tetrahedra of the regular triangulation; prisms and boxes at the walls) joined by
-/// throats (their facets). Geometry only, in flat arrays by pore, throat or sphere; SI units. Catalano et al. 2011, figure 2.
+/// throats (their facets). Geometry only, in flat arrays by pore, throat or sphere; SI units. Catalano et al. 2011,
+/// figure 2.
 ///
 /// A facet and the power centres P_i, P_j of its two pores span a bipyramid, whose axis P_i P_j is normal to the facet.
-/// All lengths, volumes and surfaces are signed, so that bipyramids tile the box exactly even where a centre lies on the
-/// far side of its facet.
+/// All lengths, volumes and surfaces are signed, so that bipyramids tile the box exactly even where a centre lies on
+/// the far side of its facet.
 struct PoreNetwork {
   Box box;
 
@@ -31,15 +32,15 @@ struct PoreNetwork {
   } pores;
 
   struct Throats {
-    std::vector<std::array<int, 2>> pores;              // i, j
+    std::vector<std::array<int, 2>> pores; // i, j
     std::vector<std::array<Vertex, 3>> vertices;
-    std::vector<Vec3> normal;                           // unit, from i to j
-    std::vector<double> area;                           // m^2, S
-    std::vector<double> fluid_area;                     // m^2, S_f: S less the sectors of the discs
-    std::vector<double> length;                         // m, l = (P_j - P_i).n
-    std::vector<double> void_volume;                    // m^3, Theta: of the bipyramid
-    std::vector<std::array<double, 3>> wetted_surface;  // m^2, gamma by vertex; none on walls
-    std::vector<std::array<double, 3>> sector_area;     // m^2, A_k by vertex
+    std::vector<Vec3> normal;                          // unit, from i to j
+    std::vector<double> area;                          // m^2, S
+    std::vector<double> fluid_area;                    // m^2, S_f: S less the sectors of the discs
+    std::vector<double> length;                        // m, l = (P_j - P_i).n
+    std::vector<double> void_volume;                   // m^3, Theta: of the bipyramid
+    std::vector<std::array<double, 3>> wetted_surface; // m^2, gamma by vertex; none on walls
+    std::vector<std::array<double, 3>> sector_area;    // m^2, A_k by vertex
 
     std::size_t size() const { return pores.size(); }
     double total_wetted_surface(std::size_t throat) const {

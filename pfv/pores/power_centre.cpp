@@ -28,8 +28,7 @@ Vec3 power_centre(const Packing& packing, const std::array<Vertex, 4>& vertices)
       const Vec3 apart = other.centre - origin.centre;
       const double length = apart.norm();
       normals.row(row) = apart / length;
-      distances[row] =
-          0.5 * (length + (origin.radius - other.radius) * (origin.radius + other.radius) / length);
+      distances[row] = 0.5 * (length + (origin.radius - other.radius) * (origin.radius + other.radius) / length);
     }
     ++row;
   }

@@ -22,7 +22,9 @@ using Regular = CGAL::Regular_triangulation_3<Kernel, CGAL::Triangulation_data_s
 using Site = std::pair<Regular::Weighted_point, Vertex>;
 
 /// Power of two next above the largest side: scaling by it is exact.
-double unit_of(const Box& box) { return std::exp2(1 + std::ilogb(box.size().maxCoeff())); }
+double unit_of(const Box& box) {
+  return std::exp2(1 + std::ilogb(box.size().maxCoeff()));
+}
 
 std::vector<Site> sites_of(const Packing& packing) {
   const double unit = unit_of(packing.box);

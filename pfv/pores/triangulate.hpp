@@ -17,9 +17,10 @@ struct Triangulation {
   std::vector<int> hidden_spheres;            // spheres without a vertex: swallowed by others
 };
 
-/// Weights are squared radii, so that cells meet where the powers |x - c|^2 - r^2 are equal. Each face of the box enters
-/// as a sphere of radius 2^23 box sizes tangent to it: within 1e-7 box sizes of its limit, the plane itself, which the
-/// geometry of the pores takes exactly. Cospherical points are split by CGAL's symbolic perturbation, without flat cells.
+/// Weights are squared radii, so that cells meet where the powers |x - c|^2 - r^2 are equal. Each face of the box
+/// enters as a sphere of radius 2^23 box sizes tangent to it: within 1e-7 box sizes of its limit, the plane itself,
+/// which the geometry of the pores takes exactly. Cospherical points are split by CGAL's symbolic perturbation, without
+/// flat cells.
 Triangulation triangulate(const Packing& packing);
 
 } // namespace pfv

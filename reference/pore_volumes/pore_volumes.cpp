@@ -17,15 +17,15 @@ public:
   std::string description() const override { return description_; }
 
   std::optional<std::string> not_covered(const pfv::Case& problem) const override {
-    const bool open = std::ranges::any_of(
-        problem.faces, [](const auto& face) { return std::holds_alternative<pfv::Pressure>(face); });
+    const bool open = std::ranges::any_of(problem.faces,
+                                          [](const auto& face) { return std::holds_alternative<pfv::Pressure>(face); });
     if (!open)
       return "no face has a pressure";
     return std::nullopt;
   }
 
-  /// About 5.6 pores per sphere. CPU from runs of 2e2 ... 2e4 spheres: 40 us per sphere up to the system, then a solve that
-  /// grows like N^1.5 (factor) or N^1.6 (Gauss-Seidel); memory 4 kB per sphere above the program's own 20 MB.
+  /// About 5.6 pores per sphere. CPU from runs of 2e2 ... 2e4 spheres: 40 us per sphere up to the system, then a solve
+  /// that grows like N^1.5 (factor) or N^1.6 (Gauss-Seidel); memory 4 kB per sphere above the program's own 20 MB.
   Estimate estimate(const pfv::Case& problem, const Resolution&) const override {
     const auto spheres = static_cast<double>(problem.packing.spheres.size());
     const bool sor = std::holds_alternative<pfv::GaussSeidel>(solver_);
@@ -55,7 +55,8 @@ public:
                      {"hidden_spheres", flow.network.hidden_spheres.size()},
                      {"iterations", flow.solver.iterations},
                      {"flux_imbalance", std::abs(flow.flux_in / flow.flux_out - 1)}};
-    answer.notes = {{"solver", flow.solver.name}, {"conductance", "hydraulic radius, alpha = 1/2"}, {"walls", "mirror"}};
+    answer.notes = {
+        {"solver", flow.solver.name}, {"conductance", "hydraulic radius, alpha = 1/2"}, {"walls", "mirror"}};
     return answer;
   }
 
@@ -73,9 +74,9 @@ std::unique_ptr<Method> make_pore_volumes() {
 }
 
 std::unique_ptr<Method> make_pore_volumes_sor() {
-  return std::make_unique<PoreVolumes>(
-      "pore_volumes_sor", "pore-scale finite volumes (PFV), over-relaxed Gauss-Seidel as in the paper",
-      pfv::GaussSeidel{});
+  return std::make_unique<PoreVolumes>("pore_volumes_sor",
+                                       "pore-scale finite volumes (PFV), over-relaxed Gauss-Seidel as in the paper",
+                                       pfv::GaussSeidel{});
 }
 
 } // namespace reference
