@@ -1,0 +1,50 @@
+#pragma once
+
+// Included only by the sources of this folder that speak deal.II.
+
+#include "reference/stokes_fem/exact_surface.hpp"
+
+#include <deal.II/fe/mapping_fe.h>
+#include <deal.II/grid/tria.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+namespace reference::stokes_fem {
+
+/// Where the middles of edges lie that do not lie half-way, and which cells have such an edge.
+struct CurvedEdges {
+  std::unordered_map<std::uint64_t, dealii::Point<3>> middle; // by edge_key
+  std::vector<bool> cell_is_curved;                           // by active cell index
+  std::size_t curved_cells = 0;
+  std::size_t straightened_cells = 0; // cells made straight again because bending had folded them
+};
+
+/// The surface behind a boundary id of the mesh.
+using SurfaceById = std::function<ExactSurface(unsigned)>;
+
+/// Puts the middle of every boundary edge on the exact surfaces its faces stand for (their curve of intersection, when
+/// two meet there), then straightens the edges of cells whose Jacobian falls below a tenth of the straight one's.
+CurvedEdges curve_edges(const dealii::Triangulation<3>& mesh, const SurfaceById& surface);
+
+/// Quadratic map of each tetrahedron from its four vertices and six edge middles.
+class CurvedMapping : public dealii::MappingFE<3> {
+public:
+  explicit CurvedMapping(std::shared_ptr<const CurvedEdges> edges);
+
+  std::unique_ptr<dealii::Mapping<3>> clone() const override;
+  bool is_curved(const dealii::Triangulation<3>::cell_iterator& cell) const;
+  const CurvedEdges& edges() const { return *edges_; }
+
+protected:
+  std::vector<dealii::Point<3>>
+  compute_mapping_support_points(const dealii::Triangulation<3>::cell_iterator& cell) const override;
+
+private:
+  std::shared_ptr<const CurvedEdges> edges_;
+};
+
+} // namespace reference::stokes_fem

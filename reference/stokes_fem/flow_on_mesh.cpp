@@ -1,0 +1,75 @@
+#include "reference/stokes_fem/flow_on_mesh.hpp"
+
+#include "reference/stokes_fem/forces.hpp"
+#include "reference/stokes_fem/stokes_solver.hpp"
+#include "reference/stokes_fem/unit_case.hpp"
+
+#include <cmath>
+
+namespace reference::stokes_fem {
+
+namespace {
+
+void add_flow(const pfv::Case& problem, const UnitCase& unit, const StokesSolution& solution, Answer& answer) {
+  for (std::size_t face = 0; face < 6; ++face)
+    answer.face_flux[face] = solution.face_flux[face] * unit.flux();
+  // The flux that dissipates what the pressures put in: its error is of twice the order of a flux through one face.
+  if (const auto setup = pfv::permeability_setup(problem))
+    answer.permeability = problem.fluid.viscosity * solution.dissipation * unit.flux() * setup->length /
+                          (setup->area * std::abs(setup->pressure_drop));
+}
+
+void add_forces(const Forces& forces, double unit, Answer& answer) {
+  answer.sphere_forces.emplace();
+  for (const pfv::Vec3& force : forces.sphere)
+    answer.sphere_forces->push_back(unit * force);
+  answer.wall_forces.emplace();
+  for (std::size_t face = 0; face < 6; ++face)
+    (*answer.wall_forces)[face] = unit * forces.wall[face];
+}
+
+void add_counts(const MeshFacts& mesh, const StokesSolution& solution, Answer& answer) {
+  answer.unknowns = 3 * mesh.velocity_nodes + mesh.pressure_nodes;
+  answer.counts["free_unknowns"] = static_cast<double>(solution.free_velocities + mesh.pressure_nodes);
+  answer.counts["cells"] = static_cast<double>(mesh.cells);
+  answer.counts["curved_cells"] = static_cast<double>(mesh.curved_cells);
+  answer.counts["straightened_cells"] = static_cast<double>(mesh.straightened_cells);
+  answer.counts["factor_entries"] = solution.factor_entries;
+  answer.counts["iterations"] = solution.iterations;
+  answer.counts["residual"] = solution.residual;
+  answer.counts["flux_imbalance"] = solution.imbalance;
+}
+
+} // namespace
+
+Answer flow_on_mesh(const pfv::Case& problem, const std::filesystem::path& mesh, double bridge_radius,
+                    pfv::Clock& clock) {
+  const UnitCase unit = unit_case(problem);
+  Answer answer;
+  std::shared_ptr<const Discretisation> space;
+  StokesSystem system;
+  Boundary boundary;
+  {
+    const auto timing = clock.stage("assemble");
+    space = discretise(mesh, unit.problem, unit.origin, unit.length, bridge_radius);
+    boundary = make_boundary(*space, unit.driving);
+    system = assemble(*space);
+  }
+  StokesSolution solution = solve_stokes(system, boundary, unit.driving, SolverSettings{}, clock);
+  {
+    const auto timing = clock.stage("forces");
+    solution.flow.pressure.array() += unit.lowest_pressure;
+    add_forces(
+        fluid_forces(*space, system, boundary, unit.problem.faces, solution.flow, problem.packing.spheres.size()),
+        unit.force(), answer);
+  }
+  add_flow(problem, unit, solution, answer);
+  answer.porosity = system.volume / unit.problem.packing.box.volume();
+  add_counts(facts(*space), solution, answer);
+  answer.notes["library"] = element_library();
+  answer.notes["element"] = "Taylor-Hood P2/P1 on curved tetrahedra";
+  answer.notes["solver"] = "CG on the Schur complement, CHOLMOD velocity solves, scaled BFBt preconditioner";
+  return answer;
+}
+
+} // namespace reference::stokes_fem

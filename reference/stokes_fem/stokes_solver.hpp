@@ -1,0 +1,35 @@
+#pragma once
+
+#include "pfv/clock.hpp"
+#include "reference/stokes_fem/boundary.hpp"
+#include "reference/stokes_fem/stokes_system.hpp"
+
+#include <cstddef>
+
+namespace reference::stokes_fem {
+
+struct SolverSettings {
+  double residual = 1e-9;  // of the discrete divergence, in units of its norm at zero pressure
+  double imbalance = 1e-6; // |inflow / outflow - 1|
+  int iterations = 200;
+};
+
+struct StokesSolution {
+  FlowField flow;
+  std::array<double, 6> face_flux{}; // by pfv::Face, out of the box
+  double dissipation = 0;            // sum of - p Q_out over the pressure faces = integral of |grad u|^2
+  double residual = 0;
+  double imbalance = 0;
+  int iterations = 0;
+  std::size_t free_velocities = 0; // unknowns that no boundary condition fixes
+  double factor_entries = 0;       // nonzeros of all Cholesky factors
+};
+
+/// Solves Stokes' equations driven by the pressure faces: conjugate gradients on the pressure Schur complement (Uzawa)
+/// with exact velocity solves and the commutator preconditioner, every search direction kept and orthogonalised
+/// against, from zero pressure. Times "factor" and "solve". Throws pfv::SolveError when a factorisation fails or the
+/// settings are not met.
+StokesSolution solve_stokes(const StokesSystem& system, const Boundary& boundary, const pfv::FaceConditions& faces,
+                            const SolverSettings& settings, pfv::Clock& clock);
+
+} // namespace reference::stokes_fem
