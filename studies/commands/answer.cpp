@@ -1,0 +1,52 @@
+#include "studies/commands/commands.hpp"
+
+#include "pfv/problem/error.hpp"
+#include "reference/method.hpp"
+#include "studies/runner/files.hpp"
+#include "studies/runner/run.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace studies {
+
+namespace {
+
+struct AnswerOptions {
+  std::filesystem::path case_file;
+  std::string method;
+  double mesh_size = 1;
+  std::filesystem::path out;
+};
+
+int answer(const AnswerOptions& options) {
+  const reference::Method& method = reference::find_method(options.method);
+  const pfv::Case problem = pfv::read_case(options.case_file);
+  try {
+    pfv::Clock clock;
+    write_file(options.out, reference::to_json(method.solve(problem, {options.mesh_size}, clock)));
+    return exit_answered;
+  } catch (const pfv::SolveError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return exit_solve_error;
+  }
+}
+
+} // namespace
+
+void add_answer(CLI::App& app, Invocation& invocation) {
+  auto options = std::make_shared<AnswerOptions>();
+  // Hidden: `run` and `compare` start it, one process for each run.
+  CLI::App* command = app.add_subcommand("answer", "One question to one method, its answer as JSON. Exit code: 0 "
+                                                   "answered, 2 bad input, 3 the method could not answer")
+                          ->group("");
+  command->add_option("--case", options->case_file, "Case in TOML")->required();
+  command->add_option("--method", options->method, "Name of the method")->required();
+  command->add_option("--mesh-size", options->mesh_size, "Scales every element length")->check(CLI::PositiveNumber);
+  command->add_option("--out", options->out, "File for the answer")->required();
+  command->callback([options, &invocation] { invocation.exit_code = answer(*options); });
+}
+
+} // namespace studies

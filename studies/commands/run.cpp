@@ -1,0 +1,72 @@
+#include "studies/commands/commands.hpp"
+#include "studies/commands/conclude.hpp"
+#include "studies/commands/study_place.hpp"
+
+#include "studies/runner/progress.hpp"
+#include "studies/runner/study_run.hpp"
+#include "studies/runner/terminal.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+namespace studies {
+
+namespace {
+
+struct RunOptions {
+  std::string name;
+  Scope scope;
+  RunSettings settings;
+  std::optional<double> cpu_budget;
+  std::optional<double> memory_budget;
+  bool json = false;
+};
+
+int run_command(RunOptions options) {
+  const std::filesystem::path file = study_file(options.name);
+  Study study = read_study(file);
+  study.budget.cpu_seconds = options.cpu_budget.value_or(study.budget.cpu_seconds);
+  study.budget.memory_bytes = options.memory_budget.value_or(study.budget.memory_bytes);
+  WorkFolder& work = options.settings.work;
+  if (work.root.empty())
+    work.root = file.parent_path() / "work";
+
+  fmt::print(stderr, "{}: {}\n", study.name, study.title);
+  std::vector<Row> rows;
+  {
+    Progress progress(std::cerr, terminal());
+    rows = run_study(study, options.scope, options.settings, progress.onlooker());
+  }
+  conclude(study, options.scope, rows, work.answers(), work.root, options.json);
+  return std::ranges::count(rows, Status::failed, &Row::status) > 0 ? 1 : 0;
+}
+
+} // namespace
+
+void add_run(CLI::App& app, Invocation& invocation) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* command = app.add_subcommand("run", "Does what a study plans and has not stored yet, then reports");
+  command->add_option("study", options->name, "Name of a study, or a folder with a study.toml")->required();
+  command->add_flag("--quick", options->scope.quick, "Only the quick cases, on coarser meshes");
+  command->add_option("--only", options->scope.methods, "Only this method, or these: a,b")->delimiter(',');
+  command->add_flag("--fresh", options->settings.fresh, "Forget what is stored and start over");
+  command->add_flag("--retry-failed", options->settings.retry_failed, "Run again what failed before");
+  command->add_flag("--json", options->json, "Results as JSON on standard output");
+  command->add_option("--jobs", options->settings.jobs, "Runs at the same time; more than 1 disturbs the timings")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->add_option("--cpu-budget", options->cpu_budget, "CPU seconds a run may be expected to take");
+  command->add_option("--memory-budget", options->memory_budget, "Bytes a run may be expected to take");
+  command->add_option("--work", options->settings.work.root, "Work folder, instead of the study's own");
+  command->callback([options, &invocation] {
+    options->settings.study_executable = invocation.executable;
+    invocation.exit_code = run_command(*options);
+  });
+}
+
+} // namespace studies

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "pfv/problem/vec3.hpp"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace studies {
+
+/// One value at one mesh size.
+struct Sample {
+  double mesh_size;
+  double value;
+};
+
+/// A value and, when it is known, how far the truth may be from it.
+struct Bounded {
+  double value = 0;
+  std::optional<double> error; // half width, same unit; nothing when there was one mesh or no mesh at all
+  std::optional<double> order; // of convergence used
+
+  bool operator==(const Bounded&) const = default;
+};
+
+/// Factor on the distance between the finest value and the extrapolated one: Roache 1994 (J. Fluids Eng. 116, 405)
+/// gives 1.25 for three meshes and a known order.
+inline constexpr double extrapolation_safety = 1.25;
+
+/// Richardson extrapolation to mesh size 0 of samples in any order, different mesh sizes, f(h) = f0 + C h^p:
+///   f0 = f_fine + (f_fine - f_coarse) / ((h_coarse / h_fine)^p - 1),  error = 1.25 |f_fine - f0|.
+/// With three or more meshes the finest three give p where they are sane (monotone, 0.5 <= p <= order + 1); where they
+/// are not, `order` serves and the error is not less than 1.25 times the spread of the three. One sample, or no order:
+/// the finest value as it is, without an error. Throws pfv::InputError without samples or with two of one mesh size.
+Bounded extrapolate(std::vector<Sample> samples, std::optional<double> order);
+
+/// Vectors with one half width for all of them: the same root mean square scale as `rms_difference`.
+struct BoundedForces {
+  std::vector<pfv::Vec3> values;        // N per sphere
+  std::optional<double> relative_error; // sqrt(sum |error|^2 / sum |value|^2)
+};
+
+/// As extrapolate, component by component. All lists of one length, else pfv::InputError.
+BoundedForces extrapolate_forces(std::span<const double> mesh_sizes, std::span<const std::vector<pfv::Vec3>> forces,
+                                 std::optional<double> order);
+
+} // namespace studies

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "studies/runner/extrapolate.hpp"
+#include "studies/runner/row.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace studies {
+
+/// What a method finally says about a case, from its runs at all mesh sizes.
+struct Finding {
+  std::string case_id;
+  std::string method;
+  std::vector<Row> rows; // coarse to fine, answered or not, at least one
+  std::optional<Bounded> permeability;
+  std::optional<BoundedForces> forces;
+
+  /// The finest run that answered, else the finest: size and cost are told of this one.
+  const Row& told() const;
+  bool answered() const { return told().status == Status::answered; }
+  /// Why a run at some mesh size has no answer, the first such reason; empty when all answered.
+  std::string trouble() const;
+};
+
+/// Extrapolates the answered runs of one case and method (rows in any order, at least one). Forces come from the
+/// answers in `answers`, absent when a run's answer has none or is not there.
+Finding find(std::vector<Row> rows, const std::filesystem::path& answers);
+
+/// Where the answer of a run is stored.
+std::filesystem::path answer_file(const std::filesystem::path& answers, const std::string& key);
+
+} // namespace studies

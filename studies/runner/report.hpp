@@ -1,0 +1,20 @@
+#pragma once
+
+#include "studies/runner/plan.hpp"
+#include "studies/runner/result.hpp"
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+namespace studies {
+
+/// A study's rows as one self-contained Markdown text: question, table, what each comparison says, every run, where the
+/// numbers come from. Everything in it is from the rows and their answers.
+std::string report(const Study& study, const Scope& scope, std::span<const Row> rows,
+                   const std::filesystem::path& answers);
+
+/// The same results for programs, as JSON.
+std::string results_json(const Study& study, std::span<const Result> results);
+
+} // namespace studies

@@ -1,0 +1,113 @@
+#include "studies/runner/run.hpp"
+
+#include "meshing/child_process.hpp"
+#include "pfv/problem/error.hpp"
+#include "pfv/problem/text.hpp"
+#include "reference/answer.hpp"
+#include "studies/runner/cost.hpp"
+#include "studies/runner/files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace studies {
+
+namespace {
+
+using WallClock = std::chrono::steady_clock;
+
+double seconds_since(WallClock::time_point start) {
+  return std::chrono::duration<double>(WallClock::now() - start).count();
+}
+
+struct Attempt {
+  meshing::ChildResult child;
+  double wall_seconds = 0;
+  std::string answer_text;
+  reference::Answer answer;
+};
+
+Attempt attempt(const RunOrder& order) {
+  const std::filesystem::path out = order.answer_file.string() + ".new";
+  std::filesystem::remove(out);
+  meshing::ChildOptions options;
+  options.log = order.log;
+  options.wall_limit = order.wall_limit;
+  for (const char* threads : {"OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "DEAL_II_NUM_THREADS"})
+    options.environment[threads] = "1";
+  const auto start = WallClock::now();
+  Attempt result;
+  result.child =
+      meshing::run_child({order.study_executable.string(), "answer", "--case", order.case_file.string(), "--method",
+                          order.method, "--mesh-size", fmt::format("{}", order.mesh_size), "--out", out.string()},
+                         options);
+  result.wall_seconds = seconds_since(start);
+  if (result.child.succeeded()) {
+    result.answer_text = pfv::read_text(out);
+    result.answer = reference::answer_from_json(result.answer_text);
+    std::filesystem::remove(out);
+  }
+  return result;
+}
+
+void add_cost(const Attempt& attempt, Row& row) {
+  row.process_cpu_seconds = attempt.child.cpu_seconds;
+  row.wall_seconds = attempt.wall_seconds;
+  row.peak_memory_bytes = attempt.child.peak_memory_bytes;
+}
+
+Row failed(const Attempt& attempt, const std::filesystem::path& log) {
+  Row row;
+  row.status = Status::failed;
+  const std::string last = meshing::last_lines(log);
+  // The method's own words say enough when it gave up by itself; else how the process ended comes first.
+  const bool own_words = attempt.child.exit_code == exit_solve_error || attempt.child.exit_code == exit_input;
+  row.message = own_words && !last.empty() ? last
+                : last.empty()             ? attempt.child.how_it_ended()
+                                           : fmt::format("{}: {}", attempt.child.how_it_ended(), last);
+  row.repeats = 1;
+  add_cost(attempt, row);
+  return row;
+}
+
+Row answered(const Attempt& attempt, int repeats) {
+  Row row;
+  row.status = Status::answered;
+  row.permeability = attempt.answer.permeability;
+  row.porosity = attempt.answer.porosity;
+  row.unknowns = attempt.answer.unknowns;
+  row.stages = attempt.answer.stages;
+  row.repeats = repeats;
+  add_cost(attempt, row);
+  return row;
+}
+
+} // namespace
+
+Row run(const RunOrder& order, const Repetition& repetition) {
+  std::filesystem::create_directories(order.answer_file.parent_path());
+  std::filesystem::create_directories(order.log.parent_path());
+  const auto start = WallClock::now();
+  std::vector<Attempt> attempts;
+  do {
+    try {
+      attempts.push_back(attempt(order));
+    } catch (const pfv::InputError& unreadable_answer) {
+      Row row;
+      row.message = unreadable_answer.what();
+      return row;
+    }
+    if (!attempts.back().child.succeeded())
+      return failed(attempts.back(), order.log);
+  } while (static_cast<int>(attempts.size()) < repetition.enough_repeats &&
+           seconds_since(start) < repetition.enough_seconds);
+
+  const auto median = attempts.begin() + static_cast<std::ptrdiff_t>((attempts.size() - 1) / 2);
+  std::ranges::nth_element(attempts, median, {}, [](const Attempt& one) { return cost(one.answer.stages).total(); });
+  write_file(order.answer_file, median->answer_text);
+  return answered(*median, static_cast<int>(attempts.size()));
+}
+
+} // namespace studies

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "studies/runner/compare.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace studies {
+
+/// What one run may take. A run whose estimate is above it is not started.
+struct Budget {
+  double cpu_seconds = 300;
+  double memory_bytes = 4e9;
+  double wall_seconds = 1800; // a run that takes longer is stopped and failed
+
+  bool operator==(const Budget&) const = default;
+};
+
+/// What the literature reports for a method on a case, printed beside ours.
+struct PublishedFigure {
+  std::string method;
+  std::optional<double> unknowns;
+  std::optional<double> cpu_seconds;
+
+  bool operator==(const PublishedFigure&) const = default;
+};
+
+struct StudyCase {
+  std::string id;                         // letters, digits, _ and -: a file name
+  std::string label;                      // for tables
+  std::string toml;                       // the question as read_case reads it, file names absolute
+  std::string place;                      // file:line it was written at
+  std::vector<std::string> methods;       // of the study's, which to ask
+  std::vector<std::string> quick_methods; // of those, which to ask in the quick plan
+  std::vector<PublishedFigure> published;
+};
+
+struct StudyMethod {
+  std::string name;
+  std::vector<double> mesh_sizes;       // coarse to fine
+  std::vector<double> quick_mesh_sizes; // coarse to fine
+};
+
+/// One question, asked of several methods on several cases.
+struct Study {
+  std::string name; // of its folder
+  std::string title;
+  std::string question;
+  std::string reference;        // method all others are compared with
+  std::string published_source; // of the published figures; empty without any
+  Tolerance tolerance;
+  Budget budget;
+  std::vector<StudyMethod> methods; // in the order of the tables
+  std::vector<StudyCase> cases;
+};
+
+/// Reads a study.toml; the form is described in studies/README.md. Throws pfv::InputError led by file:line, naming the
+/// valid keys or values, for anything unknown, missing or out of range. The questions themselves are read later.
+Study read_study(const std::filesystem::path& file);
+
+} // namespace studies
