@@ -1,0 +1,50 @@
+#include "meshing/contact_bridges.hpp"
+
+#include "pfv/problem/face.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace meshing {
+
+namespace {
+
+/// Two spheres whose surfaces are nearer than `bridged_gap` and whose common circle, if any, hides inside the bridge.
+bool needs_bridge(double distance, double radius_1, double radius_2, double bridge) {
+  const double smaller = std::min(radius_1, radius_2);
+  const double gap = distance - radius_1 - radius_2;
+  if (gap > bridged_gap * smaller || distance <= std::abs(radius_1 - radius_2))
+    return false;
+  if (gap >= 0)
+    return true;
+  const double offset = (distance * distance + radius_1 * radius_1 - radius_2 * radius_2) / (2 * distance);
+  return radius_1 * radius_1 - offset * offset < bridge * bridge;
+}
+
+} // namespace
+
+std::vector<Bridge> contact_bridges(const pfv::Packing& packing, double bridge_radius) {
+  const auto& spheres = packing.spheres;
+  std::vector<Bridge> bridges;
+  for (std::size_t i = 0; i < spheres.size(); ++i)
+    for (std::size_t j = i + 1; j < spheres.size(); ++j) {
+      const double distance = (spheres[j].centre - spheres[i].centre).norm();
+      const double radius = bridge_radius * std::min(spheres[i].radius, spheres[j].radius);
+      if (needs_bridge(distance, spheres[i].radius, spheres[j].radius, radius))
+        bridges.push_back({fmt::format("bridge_{}_{}", i, j), spheres[i].centre, spheres[j].centre, radius});
+    }
+  for (std::size_t k = 0; k < spheres.size(); ++k)
+    for (const pfv::Face face : pfv::all_faces) {
+      const auto& [centre, r] = spheres[k];
+      const pfv::Vec3 normal = pfv::outward_normal(face);
+      const pfv::Vec3& corner = pfv::is_upper(face) ? packing.box.upper : packing.box.lower;
+      const double distance = normal.dot(corner - centre);
+      if (needs_bridge(2 * distance, r, r, bridge_radius * r))
+        bridges.push_back({fmt::format("bridge_{}_{}", k, pfv::face_names[pfv::index(face)]), centre,
+                           centre + (distance + r / 2) * normal, bridge_radius * r});
+    }
+  return bridges;
+}
+
+} // namespace meshing

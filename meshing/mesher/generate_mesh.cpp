@@ -1,0 +1,125 @@
+#include "meshing/mesher/generate_mesh.hpp"
+
+#include "meshing/contact_bridges.hpp"
+#include "meshing/element_size.hpp"
+#include "meshing/measure_mesh.hpp"
+#include "meshing/mesher/void_geometry.hpp"
+
+#include <algorithm>
+#include <gmsh.h>
+#include <map>
+#include <stdexcept>
+#include <string_view>
+
+namespace mesher {
+
+namespace {
+
+void set_options() {
+  using gmsh::option::setNumber;
+  setNumber("General.Terminal", 1);
+  setNumber("General.NumThreads", 1);
+  setNumber("General.Verbosity", 4);
+  // The callback alone says how fine.
+  setNumber("Mesh.CharacteristicLengthFromPoints", 0);
+  setNumber("Mesh.CharacteristicLengthFromCurvature", 0);
+  setNumber("Mesh.CharacteristicLengthExtendFromBoundary", 0);
+  setNumber("Mesh.ElementOrder", 1);
+  setNumber("Mesh.RandomSeed", 1);
+  setNumber("Mesh.Algorithm", 6);   // frontal-Delaunay
+  setNumber("Mesh.Algorithm3D", 1); // Delaunay
+  setNumber("Mesh.Optimize", 1);
+  setNumber("Mesh.MshFileVersion", 2.2);
+  setNumber("Mesh.Binary", 0);
+}
+
+void name_entities(const VoidGeometry& geometry) {
+  for (const auto& [name, surfaces] : geometry.surfaces)
+    gmsh::model::setPhysicalName(2, gmsh::model::addPhysicalGroup(2, surfaces), name);
+  gmsh::model::setPhysicalName(3, gmsh::model::addPhysicalGroup(3, geometry.volumes), "fluid");
+}
+
+/// Nodes of gmsh, whose tags have gaps, numbered from 0 as they are used.
+class Nodes {
+public:
+  Nodes() {
+    std::vector<double> parametric;
+    gmsh::model::mesh::getNodes(tags_, coordinates_, parametric);
+    for (std::size_t i = 0; i < tags_.size(); ++i)
+      place_[tags_[i]] = i;
+  }
+  int number(std::size_t tag) {
+    const auto [entry, is_new] = number_.emplace(tag, static_cast<int>(used_.size()));
+    if (is_new) {
+      const double* c = coordinates_.data() + 3 * place_.at(tag);
+      used_.emplace_back(c[0], c[1], c[2]);
+    }
+    return entry->second;
+  }
+  const std::vector<pfv::Vec3>& used() const { return used_; }
+
+private:
+  std::vector<std::size_t> tags_;
+  std::vector<double> coordinates_;
+  std::map<std::size_t, std::size_t> place_;
+  std::map<std::size_t, int> number_;
+  std::vector<pfv::Vec3> used_;
+};
+
+/// The simplices of one entity: triangles (gmsh type 2) of a surface or tetrahedra (type 4) of a volume.
+template <std::size_t Corners>
+void append(int dimension, int entity, Nodes& nodes, std::vector<std::array<int, Corners>>& simplices) {
+  constexpr int type = Corners == 3 ? 2 : 4;
+  std::vector<std::size_t> elements, corners;
+  gmsh::model::mesh::getElementsByType(type, elements, corners, entity);
+  if (elements.empty())
+    throw std::runtime_error("gmsh left entity " + std::to_string(entity) + " of dimension " +
+                             std::to_string(dimension) + " without elements");
+  for (std::size_t i = 0; i < corners.size(); i += Corners) {
+    auto& simplex = simplices.emplace_back();
+    std::transform(corners.begin() + static_cast<std::ptrdiff_t>(i),
+                   corners.begin() + static_cast<std::ptrdiff_t>(i + Corners), simplex.begin(),
+                   [&](std::size_t tag) { return nodes.number(tag); });
+  }
+}
+
+meshing::LinearMesh mesh_of(const VoidGeometry& geometry) {
+  meshing::LinearMesh mesh;
+  Nodes nodes;
+  for (const int volume : geometry.volumes)
+    append(3, volume, nodes, mesh.tetrahedra);
+  for (const auto& [name, surfaces] : geometry.surfaces)
+    for (const int surface : surfaces) {
+      std::vector<std::array<int, 3>> triangles;
+      append(2, surface, nodes, triangles);
+      if (name.starts_with("sphere_"))
+        mesh.sphere_triangles.insert(mesh.sphere_triangles.end(), triangles.begin(), triangles.end());
+    }
+  mesh.nodes = nodes.used();
+  return mesh;
+}
+
+} // namespace
+
+meshing::MeshQuality generate_mesh(const pfv::Packing& packing, double mesh_size, double bridge_radius,
+                                   const std::string& file) {
+  set_options();
+  gmsh::model::add("void");
+  const auto geometry = build_void(packing, meshing::contact_bridges(packing, bridge_radius));
+  name_entities(geometry);
+  const meshing::ElementSize size(packing, mesh_size);
+  gmsh::model::mesh::setSizeCallback([&](int, int, double x, double y, double z) { return size(pfv::Vec3(x, y, z)); });
+  gmsh::model::mesh::generate(3);
+
+  meshing::MeshQuality quality = meshing::measure_mesh(mesh_of(geometry), packing);
+  quality.bridges = static_cast<std::size_t>(std::ranges::count_if(
+      geometry.surfaces, [](const auto& surface) { return surface.first.starts_with("bridge_"); }));
+  quality.parts = geometry.volumes.size();
+  quality.enclosed_parts = geometry.enclosed;
+  if (quality.worst_quality <= 0)
+    throw std::runtime_error("gmsh made a tetrahedron that is flat or inside out");
+  gmsh::write(file);
+  return quality;
+}
+
+} // namespace mesher

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "meshing/contact_bridges.hpp"
+#include "pfv/problem/packing.hpp"
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace mesher {
+
+/// Tags of gmsh entities that bound the fluid.
+struct VoidGeometry {
+  std::vector<int> volumes;
+  std::map<std::string, std::vector<int>> surfaces; // by name: x_min ... z_max, sphere_K, bridge_...
+  std::size_t enclosed = 0;                         // volumes left out, as they touch no face of the box
+};
+
+/// Builds box minus spheres minus bridges in the current gmsh model with OpenCASCADE and names every surface by the
+/// sphere, cylinder or plane it lies on. Throws std::runtime_error on a surface that lies on none or on two, and gmsh's
+/// own exceptions.
+VoidGeometry build_void(const pfv::Packing& packing, const std::vector<meshing::Bridge>& bridges);
+
+} // namespace mesher
