@@ -1,0 +1,66 @@
+#include "reference/method.hpp"
+
+#include "pfv/problem/error.hpp"
+#include "pfv/problem/generate.hpp"
+#include "support/message_of.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace reference {
+namespace {
+
+pfv::Case shut_case() {
+  pfv::Case problem;
+  problem.packing = pfv::nine_spheres();
+  return problem;
+}
+
+TEST(Methods, HaveNamesOfTheirOwnAndOneLineEach) {
+  std::set<std::string> names;
+  for (const auto& method : methods()) {
+    EXPECT_TRUE(names.insert(method->name()).second) << method->name();
+    EXPECT_FALSE(method->description().empty()) << method->name();
+    EXPECT_EQ(method->description().find('\n'), std::string::npos) << method->name();
+  }
+}
+
+TEST(Methods, ComeInTheOrderOfTheTables) {
+  std::vector<std::string> expected{"stokes_fem", "openfoam", "closed_form", "exact"};
+  std::vector<std::string> found;
+  for (const auto& method : methods())
+    if (std::ranges::count(expected, method->name()))
+      found.push_back(method->name());
+  EXPECT_EQ(found, expected);
+}
+
+TEST(Methods, AreFoundByName) {
+  EXPECT_EQ(find_method("closed_form").name(), "closed_form");
+}
+
+TEST(Methods, AnUnknownNameIsAnErrorThatNamesTheValidOnes) {
+  const auto message = pfv::testing::message_of<pfv::InputError>([] { find_method("opnfoam"); });
+  EXPECT_NE(message.find("'opnfoam'"), std::string::npos) << message;
+  for (const auto& method : methods())
+    EXPECT_NE(message.find(method->name()), std::string::npos) << message;
+}
+
+TEST(Methods, TheFakeSaysThatItIsOne) {
+  EXPECT_NE(find_method("exact").description().find("fake"), std::string::npos);
+}
+
+TEST(Methods, SayWhyTheyDoNotCoverABoxWithoutAnyPressure) {
+  for (const auto& method : methods())
+    if (!method->unavailable()) {
+      const auto reason = method->not_covered(shut_case());
+      ASSERT_TRUE(reason) << method->name();
+      EXPECT_GT(reason->size(), 10U) << method->name();
+      pfv::Clock clock;
+      EXPECT_ANY_THROW(method->solve(shut_case(), {}, clock)) << method->name();
+    }
+}
+
+} // namespace
+} // namespace reference
