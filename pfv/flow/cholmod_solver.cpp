@@ -14,6 +14,8 @@ public:
   CholmodSolver() {
     report_.name = "cholmod";
     factor_.cholmod().print = 0;
+    factor_.cholmod().final_asis = 0; // else small matrices get an L D L', which takes indefinite ones too
+    factor_.cholmod().final_ll = 1;
   }
 
   void factor(const Matrix& lower) override {

@@ -47,6 +47,13 @@ CutOff cut_off_under_edge(double radius, const WallCut& cut, const Vec3& a, cons
   const double circle = std::sqrt(std::max(0.0, radius * radius - cut.distance * cut.distance));
   const auto along = [&](double t) -> Vec3 { return (1 - t) * a + t * b; };
   const auto across = [&](const Vec3& d) -> Vec3 { return d - cut.outward.dot(d) * cut.outward; };
+  // Where the direction meets the wall, from the foot of the normal; held on the circle against round-off.
+  const auto foot = [&](const Vec3& d) -> Vec3 {
+    const Vec3 off = across(d);
+    const double reach = off.norm(), height = cut.outward.dot(d);
+    const bool within = reach * cut.distance < circle * height;
+    return within ? cut.distance / height * off : circle / reach * off;
+  };
 
   // |across|^2 cosine^2 - along^2 (1 - cosine^2) = 0 on the circle: a quadratic in t.
   const Vec3 step = b - a;
@@ -70,12 +77,12 @@ CutOff cut_off_under_edge(double radius, const WallCut& cut, const Vec3& a, cons
   CutOff sum;
   for (std::size_t i = 1; i < ends.size(); ++i) {
     const Vec3 from = along(ends[i - 1]), to = along(ends[i]), middle = along(0.5 * (ends[i - 1] + ends[i]));
-    const Vec3 p = across(from), q = across(to);
     if (form(middle, middle) < 0) {
-      const double scale = cut.distance / cut.outward.dot(from) * (cut.distance / cut.outward.dot(to));
-      sum.angle += solid_angle(cut.outward, from, to);
-      sum.area += 0.5 * scale * cut.outward.dot(p.cross(q));
+      const Vec3 p = foot(from), q = foot(to), to_wall = cut.distance * cut.outward;
+      sum.angle += solid_angle(to_wall, to_wall + p, to_wall + q);
+      sum.area += 0.5 * cut.outward.dot(p.cross(q));
     } else {
+      const Vec3 p = across(from), q = across(to);
       const double turn = std::atan2(cut.outward.dot(p.cross(q)), p.dot(q));
       sum.angle += turn * (1 - cosine);
       sum.area += 0.5 * circle * circle * turn;

@@ -1,0 +1,110 @@
+#include "support/run_program.hpp"
+#include "support/temporary_file.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+using pfv::testing::run_program;
+using pfv::testing::TemporaryFile;
+
+namespace {
+
+const std::string data = TEST_DATA;
+
+pfv::testing::ProgramResult permeability(const std::string& arguments) {
+  return run_program(std::string(PFV_PROGRAM) + " permeability " + arguments);
+}
+
+nlohmann::json answer(const std::string& arguments) {
+  const auto result = permeability(arguments + " --json");
+  EXPECT_EQ(result.exit_code, 0) << result.error;
+  EXPECT_EQ(result.error, "");
+  return nlohmann::json::parse(result.output);
+}
+
+void expect_bad_input(const std::string& arguments, const std::string& words) {
+  const auto result = permeability(arguments);
+  EXPECT_EQ(result.exit_code, 2) << arguments;
+  EXPECT_EQ(result.output, "");
+  EXPECT_EQ(std::ranges::count(result.error, '\n'), 1) << result.error;
+  EXPECT_NE(result.error.find(words), std::string::npos) << result.error;
+}
+
+TEST(PermeabilityCommand, PrintsOneJsonObject) {
+  const auto json = answer(data + "/g200.txt --axis y");
+  EXPECT_EQ(json["spheres"], 200);
+  EXPECT_EQ(json["pores"], 1101);
+  EXPECT_GT(json["unknowns"], 500);
+  EXPECT_NEAR(json["porosity"], 0.48, 1e-6);
+  EXPECT_GT(json["permeability"], 0);
+  EXPECT_NEAR(json["flux_in"].get<double>() / json["flux_out"].get<double>(), 1, 1e-10);
+  EXPECT_EQ(json["contracted_throats"], 0);
+  EXPECT_TRUE(json["stages"].contains("triangulate"));
+  EXPECT_GT(json["cpu_seconds"], 0);
+  EXPECT_GT(json["peak_memory_bytes"], 1e6);
+}
+
+TEST(PermeabilityCommand, ScalesWithOptions) {
+  const double k = answer(data + "/g200.txt --axis y")["permeability"];
+  EXPECT_NEAR(answer(data + "/g200.txt --axis y --viscosity 0.001")["permeability"].get<double>() / k, 1, 1e-9);
+  EXPECT_NEAR(answer(data + "/g200.txt --axis y --solver gauss-seidel")["permeability"].get<double>() / k, 1, 1e-8);
+  EXPECT_GT(std::abs(answer(data + "/g200.txt --axis x")["permeability"].get<double>() / k - 1), 1e-3);
+  EXPECT_LT(answer(data + "/g200.txt --axis y --walls original")["permeability"].get<double>() / k, 0.85);
+}
+
+TEST(PermeabilityCommand, ReadsACase) {
+  const TemporaryFile file("lattice.toml", "[packing]\ngenerator = \"simple_cubic\"\nsolid_fraction = \"touching\"\n"
+                                           "cells = 2\n[flow]\naxis = \"x\"\n");
+  const auto json = answer(file.path().string());
+  EXPECT_NEAR(json["permeability"], 2.46746e-3, 1e-8);
+  EXPECT_GT(json["contracted_throats"], 0);
+}
+
+TEST(PermeabilityCommand, WritesForcesAndFiles) {
+  const TemporaryFile place("here", "");
+  const std::string folder = place.path().parent_path().string();
+  answer(data + "/bcc9.txt --forces " + folder + "/forces.csv --vtk " + folder + "/vtk");
+  std::ifstream forces(folder + "/forces.csv");
+  std::string line;
+  int lines = 0;
+  while (std::getline(forces, line))
+    ++lines;
+  EXPECT_EQ(lines, 10);
+  EXPECT_TRUE(std::filesystem::exists(folder + "/vtk/pores.vtu"));
+  EXPECT_TRUE(std::filesystem::exists(folder + "/vtk/spheres.vtp"));
+}
+
+TEST(PermeabilityCommand, AnswersEveryPackingWithoutNan) {
+  for (const char* name : {"g200", "g2000", "bcc9", "bcc9jit"}) {
+    const auto result = permeability(data + "/" + name + ".txt");
+    EXPECT_EQ(result.exit_code, 0) << result.error;
+    EXPECT_EQ(result.output.find("nan"), std::string::npos) << name;
+    EXPECT_EQ(result.output.find("inf"), std::string::npos) << name;
+  }
+}
+
+TEST(PermeabilityCommand, RefusesBadInputInOneLine) {
+  expect_bad_input("missing.txt", "missing.txt");
+  expect_bad_input(data + "/g200.txt --axis w", "\"w\" is not one of x, y, z");
+  expect_bad_input(data + "/g200.txt --solver jacobi", "jacobi");
+  expect_bad_input(data + "/g200.txt --viscosity 0", "viscosity");
+  expect_bad_input(data + "/g200.txt --viscosity water", "water");
+  expect_bad_input(data + "/g200.txt --unknown", "--unknown");
+  expect_bad_input(data + "/g200.txt --forces /nowhere/forces.csv", "/nowhere/forces.csv");
+  const TemporaryFile negative("bad.txt", "# box 0 0 0 1 1 1\n.5 .5 .5 -.1\n");
+  expect_bad_input(negative.path().string(), "bad.txt:2");
+}
+
+TEST(PermeabilityCommand, ExitsWithThreeWhenItCannotSolve) {
+  const TemporaryFile file("corner.toml",
+                           "[packing]\ngenerator = \"nine_spheres\"\n[faces]\nx_min = { pressure = 1.0 }\n"
+                           "y_min = { pressure = 2.0 }\n");
+  const auto result = permeability(file.path().string());
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_EQ(result.output, "");
+  EXPECT_NE(result.error.find("must have the same pressure"), std::string::npos) << result.error;
+}
+
+} // namespace

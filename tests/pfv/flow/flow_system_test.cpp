@@ -1,0 +1,73 @@
+#include "pfv/flow/flow_system.hpp"
+
+#include "pfv/problem/error.hpp"
+#include "pfv/problem/generate.hpp"
+#include "support/message_of.hpp"
+#include "support/packings.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+using namespace pfv;
+using namespace pfv::testing;
+
+namespace {
+
+TEST(FlowSystem, IsPositiveDefinite) {
+  for (const char* file : {"bcc9.txt", "bcc9jit.txt", "g200.txt"}) {
+    const auto system = solved(flow_through(packing_from(file))).system;
+    const Eigen::SparseMatrix<double> whole = system.matrix.selfadjointView<Eigen::Lower>();
+    const Eigen::MatrixXd dense = whole;
+    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense).eigenvalues().minCoeff(), 0) << file;
+  }
+}
+
+TEST(FlowSystem, ContractsTheCoincidentPoresOfALattice) {
+  const auto flow =
+      solved(flow_through(lattice_packing(Lattice::simple_cubic, touching_solid_fraction(Lattice::simple_cubic), 3)));
+  EXPECT_GT(flow.system.contracted_throats, 0u);
+  // Without splits: pores at the 4 x 4 x 4 corners of the cells, of which the two outer layers along z are known.
+  EXPECT_EQ(flow.system.unknowns(), 4u * 4 * 2);
+}
+
+TEST(FlowSystem, ContractsNothingInARandomPacking) {
+  EXPECT_EQ(solved(flow_through(packing_from("g200.txt"))).system.contracted_throats, 0u);
+}
+
+TEST(FlowSystem, OneLayerLeavesNothingUnknown) {
+  const auto flow = solved(flow_through(lattice_packing(Lattice::simple_cubic, 0.5, 1)));
+  EXPECT_EQ(flow.system.unknowns(), 0u);
+  EXPECT_GT(*flow.permeability, 0);
+}
+
+TEST(FlowSystem, RefusesDifferentPressuresThatMeet) {
+  Case problem = flow_through(packing_from("g200.txt"));
+  problem.faces[index(Face::x_min)] = Pressure{3};
+  EXPECT_NE(message_of<SolveError>([&] { solved(problem); }).find("x_min (3 Pa) and z_m"), std::string::npos);
+}
+
+TEST(FlowSystem, NeedsAPressure) {
+  Case problem = flow_through(packing_from("bcc9.txt"));
+  problem.faces = {};
+  EXPECT_THROW(solved(problem), InputError);
+}
+
+TEST(FlowSystem, WorksWithOneFaceAtAPressure) {
+  Case problem = flow_through(packing_from("bcc9jit.txt"));
+  problem.faces[index(Face::z_min)] = SlipWall{};
+  const auto flow = solved(problem);
+  EXPECT_FALSE(flow.permeability.has_value());
+  EXPECT_LT(flow.flux_in, 1e-13);
+}
+
+TEST(FlowSystem, TimesItsStagesInOrder) {
+  Clock clock;
+  solve_steady_flow(flow_through(packing_from("bcc9.txt")), {}, clock);
+  std::vector<std::string> names;
+  for (const auto& stage : clock.stages())
+    names.push_back(stage.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"triangulate", "geometry", "conductances", "assemble", "factor", "solve",
+                                             "forces"}));
+}
+
+} // namespace

@@ -1,0 +1,116 @@
+#include "pfv/pores/pore_network.hpp"
+
+#include "pfv/pores/ball_part.hpp"
+#include "pfv/pores/power_centre.hpp"
+#include "pfv/problem/generate.hpp"
+#include "support/packings.hpp"
+
+#include <gtest/gtest.h>
+#include <numbers>
+#include <numeric>
+
+using namespace pfv;
+using pfv::testing::packing_from;
+
+namespace {
+
+PoreNetwork network_of(const Packing& packing) {
+  Clock clock;
+  return build_pore_network(packing, clock);
+}
+
+/// Volume and surface of a sphere inside the box, by its eight octants.
+BallPart inside_box(const Sphere& sphere, const Box& box) {
+  const auto cuts = wall_cuts(sphere, box);
+  BallPart sum;
+  for (const double x : {-1.0, 1.0})
+    for (const double y : {-1.0, 1.0})
+      for (const double z : {-1.0, 1.0}) {
+        const auto part = ball_in_cone(sphere.radius, cuts, x * Vec3::UnitX(), y * Vec3::UnitY(), z * Vec3::UnitZ());
+        sum.volume += x * y * z * part.volume;
+        sum.surface += x * y * z * part.surface;
+      }
+  return sum;
+}
+
+/// The tiling that everything rests on, to round-off, sphere by sphere.
+void expect_tiling(const Packing& packing) {
+  const PoreNetwork network = network_of(packing);
+  const double box = packing.box.volume();
+  EXPECT_NEAR(std::accumulate(network.pores.volume.begin(), network.pores.volume.end(), 0.0) / box, 1, 1e-10);
+  double solid = 0;
+  for (std::size_t k = 0; k < packing.spheres.size(); ++k) {
+    const auto exact = inside_box(packing.spheres[k], packing.box);
+    const double r = packing.spheres[k].radius;
+    EXPECT_NEAR(network.spheres.wetted_surface[k], exact.surface, 1e-10 * 4 * std::numbers::pi * r * r) << k;
+    EXPECT_NEAR(network.spheres.volume[k], exact.volume, 1e-10 * r * r * r) << k;
+    solid += exact.volume;
+  }
+  EXPECT_NEAR(network.porosity(), 1 - solid / box, 1e-10);
+  for (const Face face : all_faces) {
+    double area = 0;
+    for (const auto& areas : network.pores.wall_area)
+      area += areas[index(face)];
+    EXPECT_NEAR(area * packing.box.size()[index(axis_of(face))] / box, 1, 1e-10) << face_names[index(face)];
+  }
+}
+
+TEST(PoreNetwork, TilesRandomPackings) {
+  expect_tiling(packing_from("g200.txt"));
+  expect_tiling(packing_from("g2000.txt"));
+  expect_tiling(random_packing({.spheres = 60, .solid_fraction = .4, .radius_ratio = 5, .seed = 7, .size = 2}));
+}
+
+TEST(PoreNetwork, TilesLatticesAndSpheresCutByWalls) {
+  expect_tiling(packing_from("bcc9.txt"));
+  expect_tiling(packing_from("bcc9jit.txt"));
+  for (const auto lattice : {Lattice::simple_cubic, Lattice::bcc, Lattice::fcc}) {
+    expect_tiling(lattice_packing(lattice, touching_solid_fraction(lattice), 2));
+    expect_tiling(lattice_packing(lattice, 0.2, 1));
+  }
+  expect_tiling({{{0, 0, 0}, {1, 2, 3}}, {{{.3, .2, .1}, .35}, {{.7, 1.9, 2.8}, .25}, {{.5, 1, 1.5}, .3}}});
+}
+
+TEST(PoreNetwork, TilesOneSphereAndARow) {
+  expect_tiling({{{0, 0, 0}, {1, 1, 1}}, {{{.4, .5, .6}, .2}}});
+  expect_tiling({{{0, 0, 0}, {3, 1, 1}}, {{{.5, .5, .5}, .5}, {{1.5, .5, .5}, .5}, {{2.5, .5, .5}, .5}}});
+}
+
+TEST(PoreNetwork, HasNoNegativeLengths) { // (P_j - P_i).n >= 0 on every facet of a regular triangulation
+  const auto network = network_of(packing_from("g2000.txt"));
+  for (const double length : network.throats.length)
+    EXPECT_GE(length, -1e-6);
+}
+
+TEST(PoreNetwork, PutsThePoresOfAWallOnIt) {
+  const auto packing = packing_from("g200.txt");
+  const auto network = network_of(packing);
+  std::size_t touching = 0;
+  for (std::size_t i = 0; i < network.pores.size(); ++i)
+    if (network.pores.touches(i, Face::y_max)) {
+      EXPECT_NEAR(network.pores.centre[i].y(), 1, 1e-12);
+      ++touching;
+    }
+  EXPECT_GT(touching, 20u);
+}
+
+TEST(PowerCentre, HasEqualPowerToItsFourVertices) {
+  const auto packing = packing_from("g200.txt");
+  const auto network = network_of(packing);
+  for (std::size_t i = 0; i < network.pores.size(); ++i) {
+    std::vector<double> powers;
+    for (const Vertex v : network.pores.vertices[i])
+      if (!is_wall(v))
+        powers.push_back((network.pores.centre[i] - packing.spheres[v].centre).squaredNorm() -
+                         packing.spheres[v].radius * packing.spheres[v].radius);
+    for (const double power : powers)
+      EXPECT_NEAR(power, powers.front(), 1e-12);
+  }
+}
+
+TEST(PoreNetwork, ReportsSpheresHiddenByOthers) {
+  const Packing packing{{{0, 0, 0}, {1, 1, 1}}, {{{.5, .5, .5}, .4}, {{.55, .5, .5}, .05}, {{.2, .2, .2}, .1}}};
+  EXPECT_EQ(network_of(packing).hidden_spheres, std::vector<int>{1});
+}
+
+} // namespace
