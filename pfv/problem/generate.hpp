@@ -11,10 +11,10 @@ enum class Lattice { simple_cubic, bcc, fcc };
 /// Solid fraction at which the lattice's nearest neighbours touch: pi/6, pi sqrt(3)/8, pi sqrt(2)/6.
 double touching_solid_fraction(Lattice lattice);
 
-/// cells^3 cubic cells of a lattice in a box of side `cells` times `cell_size` (m), cut by planes of symmetry: simple cubic
-/// spheres sit at cell centres; bcc and fcc spheres at cell corners lie on the box faces and are cut by them.
-/// Throws InputError unless cells >= 1, cell_size > 0 and 0 < solid_fraction <= touching (a relative 1e-12 above is taken
-/// as touching).
+/// cells^3 cubic cells of a lattice in a box of side `cells` times `cell_size` (m), cut by planes of symmetry: simple
+/// cubic spheres sit at cell centres; bcc and fcc spheres at cell corners lie on the box faces and are cut by them.
+/// Throws InputError unless cells >= 1, cell_size > 0 and 0 < solid_fraction <= touching (a relative 1e-12 above is
+/// taken as touching).
 Packing lattice_packing(Lattice lattice, double solid_fraction, int cells, double cell_size = 1.0);
 
 /// Eight corner spheres tangent to three walls each and one in the middle that touches all eight, in a cube of side
@@ -24,13 +24,14 @@ Packing nine_spheres(double size = 1.0);
 struct RandomPacking {
   int spheres = 30;
   double solid_fraction = 0.5; // 0 < phi <= 0.6
-  double radius_ratio = 1.0;   // largest / smallest, radii uniform between them
+  double radius_ratio = 1.0;   // largest / smallest, radii evenly spaced between them
   std::uint64_t seed = 1;
   double size = 1.0; // m, side of the cube
 };
 
-/// Spheres wholly inside a cube and nowhere overlapping. The same parameters give the same packing on every machine.
-/// Throws InputError on parameters out of range, and SolveError with the fraction reached when the search jams.
+/// Spheres wholly inside a cube and nowhere overlapping, 1 % of a diameter apart where there is room. The same
+/// parameters give the same packing on every machine. Throws InputError on parameters out of range, and SolveError with
+/// the fraction reached when the search jams.
 Packing random_packing(const RandomPacking& parameters);
 
 } // namespace pfv

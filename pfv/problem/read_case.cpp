@@ -44,7 +44,7 @@ Packing read_inline(const toml::table& table) {
 Packing read_packing(const toml::table& table, const std::filesystem::path& folder) {
   const bool file = table.contains("file");
   const bool generator = table.contains("generator");
-  const bool spheres = table.contains("box") || table.contains("spheres");
+  const bool spheres = table.contains("box") || (table.contains("spheres") && !generator);
   if (file + generator + spheres != 1)
     fail_at(table, "[packing] must have exactly one of file, generator, or box with spheres");
   if (generator)

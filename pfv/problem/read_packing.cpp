@@ -97,16 +97,16 @@ private:
   }
 
   /// Where x, y, z and r are when the line names the columns; nothing when it holds numbers.
-  std::optional<std::array<std::size_t, 4>> header(Fields fields) const {
+  std::optional<std::array<std::size_t, 4>> header(const Fields& fields) const {
     if (std::ranges::any_of(fields, [](std::string_view field) { return to_number(field).has_value(); }))
       return std::nullopt;
-    std::ranges::replace(fields, "radius", "r");
+    const auto short_name = [](std::string_view field) { return field == "radius" ? "r" : field; };
     std::array<std::size_t, 4> columns{};
     for (std::size_t i = 0; i < 4; ++i) {
-      if (fields.size() != 4 || std::ranges::count(fields, quantities[i]) != 1)
+      if (fields.size() != 4 || std::ranges::count(fields, quantities[i], short_name) != 1)
         fail(fmt::format("columns \"{}\" must be x, y, z and r (or radius), each once, in any order",
                          fmt::join(fields, ",")));
-      columns[i] = std::ranges::find(fields, quantities[i]) - fields.begin();
+      columns[i] = std::ranges::find(fields, quantities[i], short_name) - fields.begin();
     }
     return columns;
   }

@@ -32,6 +32,10 @@ void fail_at(const toml::node& node, std::string_view message) {
 std::string quote(const toml::node& node) {
   if (const auto* text = node.as_string())
     return text->get();
+  if (const auto* number = node.as_floating_point()) {
+    const std::string digits = shortest(number->get());
+    return digits.find_first_not_of("-0123456789") == std::string::npos ? digits + ".0" : digits;
+  }
   std::ostringstream out;
   node.visit([&](const auto& concrete) { out << concrete; });
   std::string text = std::move(out).str();
