@@ -1,0 +1,89 @@
+#include "studies/runner/extrapolate.hpp"
+
+#include "pfv/problem/error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+using studies::extrapolate;
+using studies::Sample;
+
+Sample on_power_law(double h, double order) {
+  return {h, 3 + 0.2 * std::pow(h, order)};
+}
+
+TEST(Extrapolate, TwoMeshesOfTheStatedOrderGiveTheExactValue) {
+  for (const double order : {1.0, 2.0, 3.0}) {
+    const auto k = extrapolate({on_power_law(1.4, order), on_power_law(1.0, order)}, order);
+    EXPECT_NEAR(k.value, 3, 1e-13);
+    EXPECT_NEAR(k.error.value(), 1.25 * 0.2, 1e-13); // 1.25 times the distance from the finest value
+    EXPECT_EQ(k.order, order);
+  }
+}
+
+TEST(Extrapolate, TheOrderOfTheSamplesDoesNotMatter) {
+  EXPECT_EQ(extrapolate({{1.0, 5}, {2.0, 7}}, 2), extrapolate({{2.0, 7}, {1.0, 5}}, 2));
+}
+
+TEST(Extrapolate, ThreeMeshesFindTheirOwnOrder) {
+  for (const double order : {0.7, 1.0, 1.5, 2.0, 2.9}) {
+    const auto k = extrapolate({on_power_law(2.0, order), on_power_law(1.4, order), on_power_law(1.0, order)}, 2);
+    EXPECT_NEAR(k.value, 3, 1e-9);
+    EXPECT_NEAR(k.order.value(), order, 1e-9);
+    EXPECT_LE(std::abs(k.value - 3), k.error.value());
+  }
+}
+
+TEST(Extrapolate, TheBarHoldsTheTruthWhenTheOrderIsNotClean) {
+  // A second term of higher order, as real meshes have: the bar must still reach the truth, 3.
+  const auto f = [](double h) { return Sample{h, 3 + 0.2 * h * h + 0.05 * h * h * h}; };
+  for (const auto& samples : {std::vector{f(1.4), f(1.0)}, std::vector{f(2.0), f(1.4), f(1.0)}}) {
+    const auto k = extrapolate(samples, 2);
+    EXPECT_LE(std::abs(k.value - 3), k.error.value());
+  }
+}
+
+TEST(Extrapolate, ThreeMeshesThatDoNotConvergeKeepTheStatedOrderAndAWideBar) {
+  const auto k = extrapolate({{2.0, 5.0}, {1.4, 5.4}, {1.0, 5.1}}, 2);
+  EXPECT_EQ(k.order, 2);
+  EXPECT_GE(k.error.value(), 1.25 * 0.4); // the spread of the three
+}
+
+TEST(Extrapolate, EqualValuesStayAndHaveNoError) {
+  const auto k = extrapolate({{2.0, 5}, {1.4, 5}, {1.0, 5}}, 2);
+  EXPECT_EQ(k.value, 5);
+  EXPECT_EQ(k.error, 0);
+}
+
+TEST(Extrapolate, OneMeshOrNoOrderSaysSoByLeavingTheErrorOut) {
+  EXPECT_EQ(extrapolate({{1.0, 5}}, 2), (studies::Bounded{5, std::nullopt, std::nullopt}));
+  EXPECT_EQ(extrapolate({{1.0, 5}, {2.0, 6}}, std::nullopt), (studies::Bounded{5, std::nullopt, std::nullopt}));
+}
+
+TEST(Extrapolate, RefusesNothingAndTheSameMeshTwice) {
+  EXPECT_THROW(extrapolate({}, 2), pfv::InputError);
+  EXPECT_THROW(extrapolate({{1.0, 5}, {1.0, 5}}, 2), pfv::InputError);
+}
+
+TEST(ExtrapolateForces, TreatsEveryComponentAsANumber) {
+  const pfv::Vec3 truth(1, -2, 0.5);
+  const pfv::Vec3 slope(0.1, 0.2, -0.3);
+  const auto at = [&](double h) { return std::vector<pfv::Vec3>{truth + slope * h * h, 2 * truth}; };
+  const std::vector mesh_sizes{1.4, 1.0};
+  const std::vector forces{at(1.4), at(1.0)};
+  const auto bounded = studies::extrapolate_forces(mesh_sizes, forces, 2);
+  EXPECT_LT((bounded.values[0] - truth).norm(), 1e-13);
+  EXPECT_LT((bounded.values[1] - 2 * truth).norm(), 1e-13);
+  EXPECT_NEAR(bounded.relative_error.value(), 1.25 * slope.norm() / std::sqrt(5 * truth.squaredNorm()), 1e-13);
+}
+
+TEST(ExtrapolateForces, RefusesListsOfDifferentPackings) {
+  const std::vector mesh_sizes{1.4, 1.0};
+  const std::vector<std::vector<pfv::Vec3>> forces{{{0, 0, 1}}, {{0, 0, 1}, {0, 0, 1}}};
+  EXPECT_THROW(studies::extrapolate_forces(mesh_sizes, forces, 2), pfv::InputError);
+}
+
+} // namespace

@@ -1,0 +1,119 @@
+#include "studies/runner/study_file.hpp"
+
+#include "pfv/problem/error.hpp"
+#include "studies/runner/case_store.hpp"
+#include "tests/studies/study_text.hpp"
+#include "tests/studies/temporary_folder.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace {
+
+using studies::read_study;
+
+std::string replaced(const std::string& text, const std::string& what, const std::string& by) {
+  const auto at = text.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  return text.substr(0, at) + by + text.substr(at + what.size());
+}
+
+// The message of the InputError, or nothing.
+std::string refusal(const std::string& text) {
+  const TemporaryFolder folder;
+  try {
+    read_study(folder.write("study.toml", text));
+  } catch (const pfv::InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void expect_refused(const std::string& what, const std::string& by, std::initializer_list<const char*> words) {
+  const std::string message = refusal(replaced(study_text, what, by));
+  EXPECT_NE(message.find("study.toml:"), std::string::npos) << message;
+  for (const char* word : words)
+    EXPECT_NE(message.find(word), std::string::npos) << "'" << word << "' is not in: " << message;
+}
+
+TEST(StudyFile, ReadsWhatIsThereAndDefaultsTheRest) {
+  const TemporaryFolder folder;
+  const auto study = read_study(folder.write("some_study/study.toml", study_text));
+  EXPECT_EQ(study.name, "some_study");
+  EXPECT_EQ(study.title, "A study");
+  EXPECT_EQ(study.reference, "exact");
+  ASSERT_EQ(study.methods.size(), 1U);
+  EXPECT_EQ(study.methods[0].mesh_sizes, (std::vector{2.0, 1.0}));
+  ASSERT_EQ(study.cases.size(), 2U);
+  EXPECT_EQ(study.cases[0].label, "one");
+  EXPECT_EQ(study.cases[0].quick_methods, std::vector<std::string>{"exact"});
+  EXPECT_TRUE(study.cases[1].quick_methods.empty());
+  EXPECT_EQ(study.budget, studies::Budget{});
+}
+
+TEST(StudyFile, ReadsTolerancesBudgetAndPublishedFigures) {
+  const TemporaryFolder folder;
+  const auto study = read_study(folder.write(
+      "study.toml",
+      replaced(replaced(study_text, "[[method]]", "[tolerance]\nforces = 0.1\n[budget]\ncpu_seconds = 7\n[[method]]\n"),
+               "quick = true", "published = [{ method = \"exact\", unknowns = 45 }]")));
+  EXPECT_EQ(study.tolerance, (studies::Tolerance{0.05, 0.1}));
+  EXPECT_EQ(study.budget.cpu_seconds, 7);
+  ASSERT_EQ(study.cases[0].published.size(), 1U);
+  EXPECT_EQ(study.cases[0].published[0], (studies::PublishedFigure{"exact", 45, std::nullopt}));
+}
+
+TEST(StudyFile, RefusesUnknownKeysNamingTheValidOnes) {
+  expect_refused("title =", "titel = 1\ntitle =", {"study.toml:2", "titel", "title", "question"});
+  expect_refused("mesh_sizes = [2", "mesh_size = 1\nmesh_sizes = [2", {"mesh_size", "quick_mesh_sizes"});
+  expect_refused("quick = true", "quik = true", {"quik", "quick", "packing"});
+  expect_refused("[[method]]", "[budget]\nseconds = 1\n[[method]]", {"seconds", "cpu_seconds", "memory_bytes"});
+  expect_refused("[[method]]", "[tolerance]\nforce = 1\n[[method]]", {"force", "permeability, forces"});
+  expect_refused("quick = true", "published = [{ dofs = 1 }]", {"dofs", "unknowns"});
+}
+
+TEST(StudyFile, RefusesUnknownNamesNamingTheValidOnes) {
+  expect_refused("name = \"exact\"", "name = \"exakt\"", {"exakt", "stokes_fem", "exact"});
+  expect_refused("reference = \"exact\"", "reference = \"other\"", {"reference", "other", "exact"});
+  expect_refused("quick = true", "quick = [\"other\"]", {"quick", "other", "exact"});
+  expect_refused("quick = true", "methods = [\"other\"]", {"methods", "other", "exact"});
+}
+
+TEST(StudyFile, RefusesBadValues) {
+  expect_refused("[2.0, 1.0]", "[1.0, 2.0]", {"mesh_sizes", "coarse to fine"});
+  expect_refused("[2.0, 1.0]", "[1.0, 1.0]", {"coarse to fine"});
+  expect_refused("[2.0, 1.0]", "[0]", {"larger than zero"});
+  expect_refused("[2.0, 1.0]", "[]", {"at least one"});
+  expect_refused("id = \"one\"", "id = \"../one\"", {"../one", "letters"});
+  expect_refused("id = \"one\"", "id = \"two\"", {"two", "twice"});
+  expect_refused("title = \"A study\"", "title = 3", {"title", "3"});
+  expect_refused("title = \"A study\"", "", {"title"});
+  expect_refused("[[case]]", "[[case", {"not TOML"});
+}
+
+TEST(StudyFile, LeadsTroubleWithAQuestionByThePlaceInTheStudy) {
+  const TemporaryFolder folder;
+  const auto study = read_study(folder.write("study.toml", replaced(study_text, "axis = \"z\"", "axis = \"up\"")));
+  try {
+    studies::store_case(study.cases[0], folder.path() / "cases", "");
+    FAIL();
+  } catch (const pfv::InputError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("study.toml:11"), std::string::npos) << message;
+    EXPECT_NE(message.find("up"), std::string::npos) << message;
+  }
+}
+
+TEST(StudyFile, PackingFilesAreRelativeToTheStudy) {
+  const TemporaryFolder folder;
+  folder.write("packing.txt", "# box 0 0 0 1 1 1\n0.5 0.5 0.5 0.25\n");
+  const auto text = replaced(
+      study_text, "packing = { box = [[0, 0, 0], [1, 1, 1]], spheres = [[0.3, 0.4, 0.5, 0.2], [0.7, 0.6, 0.5, 0.1]] }",
+      "packing = { file = \"packing.txt\" }");
+  const auto study = read_study(folder.write("study.toml", text));
+  const auto stored = studies::store_case(study.cases[0], folder.path() / "cases", "");
+  EXPECT_EQ(stored.problem.packing.spheres.size(), 1U);
+  EXPECT_EQ(pfv::digest(pfv::read_case(stored.file)), stored.digest);
+}
+
+} // namespace
