@@ -14,10 +14,11 @@ namespace pfv {
 std::string read_text(const std::filesystem::path& file) {
   std::ostringstream text;
   errno = 0;
+  std::ifstream in(file, std::ios::binary);
   // A folder opens like a file and fails only when it is read.
-  if (std::ifstream in(file, std::ios::binary); in && in.peek() != std::ifstream::traits_type::eof())
+  if (in && in.peek() != std::ifstream::traits_type::eof())
     text << in.rdbuf();
-  if (errno != 0)
+  if (!in.is_open() || in.bad() || text.bad())
     throw InputError(fmt::format("{}: cannot be read: {}", file.string(), std::generic_category().message(errno)));
   return std::move(text).str();
 }
