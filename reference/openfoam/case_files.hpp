@@ -1,0 +1,34 @@
+#pragma once
+
+#include "pfv/problem/case.hpp"
+#include "reference/openfoam/foam_mesh.hpp"
+
+#include <filesystem>
+#include <vector>
+
+namespace reference::openfoam {
+
+/// Units in which a case is solved, so that neither its size nor its viscosity matters to the solver: lengths in box
+/// sides and pressures from 0 to 1 with a kinematic viscosity of `viscosity`. As velocities are below 1 / viscosity,
+/// the Reynolds number is below 1 / viscosity^2 and the convective term that simpleFoam always has is round-off.
+struct Units {
+  static constexpr double viscosity = 1000;
+  double length;         // m, largest side of the box
+  double pressure;       // Pa, largest minus smallest face pressure
+  double lower_pressure; // Pa, the smallest face pressure
+  double fluid;          // Pa s
+
+  double flux() const { return viscosity * pressure / fluid * length * length * length; } // m^3/s
+  double force() const { return pressure * length * length; }                             // N
+};
+
+/// The units of a case; the pressure unit is zero when no two faces have different pressures.
+Units units_of(const pfv::Case& problem);
+
+/// system/ and constant/: schemes, solvers and the fluxes through `open_faces` recorded on the way.
+void write_dictionaries(const std::filesystem::path& folder, const std::vector<std::string>& open_faces);
+
+/// 0/p and 0/U: pressure faces, slip walls, no slip on spheres and bridges.
+void write_fields(const std::filesystem::path& folder, const FoamMesh& mesh, const pfv::Case& problem);
+
+} // namespace reference::openfoam

@@ -1,0 +1,112 @@
+#include "reference/openfoam/fill_out_spheres.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace reference::openfoam {
+
+namespace {
+
+// What is known of a mesh point from the patches it is on.
+struct SurfacePoint {
+  std::optional<std::size_t> sphere;
+  bool elsewhere = false; // on another sphere or a bridge as well
+  double deficit = 0;     // sum over triangles of area times mean depth below the sphere
+  double area = 0;
+};
+
+double mean_depth(const FoamMesh& mesh, std::size_t face, const pfv::Sphere& sphere) {
+  const auto& [i, j, k] = mesh.faces[face];
+  const pfv::Vec3 a = mesh.points[i] - sphere.centre, b = mesh.points[j] - sphere.centre,
+                  c = mesh.points[k] - sphere.centre;
+  const double mean_square = (a.squaredNorm() + b.squaredNorm() + c.squaredNorm() + (a + b + c).squaredNorm()) / 12;
+  return (sphere.radius * sphere.radius - mean_square) / (2 * sphere.radius);
+}
+
+std::vector<SurfacePoint> surface_points(const FoamMesh& mesh, const std::vector<pfv::Sphere>& spheres) {
+  std::vector<SurfacePoint> points(mesh.points.size());
+  for (const MeshPatch& patch : mesh.patches) {
+    if (std::holds_alternative<pfv::Face>(patch.part))
+      continue;
+    const auto* surface = std::get_if<SphereSurface>(&patch.part);
+    for (std::size_t face = patch.first; face < patch.first + patch.faces; ++face) {
+      const double area = mesh.area(face).norm();
+      for (const std::size_t index : mesh.faces[face]) {
+        SurfacePoint& point = points[index];
+        if (!surface || (point.sphere && *point.sphere != surface->sphere)) {
+          point.elsewhere = true;
+          continue;
+        }
+        point.sphere = surface->sphere;
+        point.deficit += area * mean_depth(mesh, face, spheres[surface->sphere]);
+        point.area += area;
+      }
+    }
+  }
+  return points;
+}
+
+// Outward to `radius` from the sphere's centre, within the faces of the box that the point is on.
+pfv::Vec3 moved(const pfv::Vec3& point, const pfv::Vec3& centre, double radius, const pfv::Box& box) {
+  const double near = 1e-7 * box.size().maxCoeff();
+  pfv::Vec3 free = point - centre;
+  double fixed = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::min(std::abs(point[axis] - box.lower[axis]), std::abs(point[axis] - box.upper[axis])) < near) {
+      fixed += free[axis] * free[axis];
+      free[axis] = 0;
+    }
+  const double length = free.norm();
+  if (length < near || radius * radius <= fixed)
+    return point;
+  return point + free * (std::sqrt(radius * radius - fixed) / length - 1);
+}
+
+// Whether a face's cell lies on the inner side of it.
+bool turned(const FoamMesh& mesh, std::size_t face) {
+  const pfv::Vec3 area = mesh.area(face), centre = mesh.centre(face);
+  return area.dot(centre - mesh.cell_centres[mesh.owner[face]]) <= 0 ||
+         (face < mesh.neighbour.size() && area.dot(mesh.cell_centres[mesh.neighbour[face]] - centre) <= 0);
+}
+
+// Puts points of turned faces back until none is left; points only ever go back, so this ends.
+void put_back_turned(FoamMesh& mesh, const std::vector<pfv::Vec3>& before, std::vector<char>& has_moved) {
+  for (bool again = true; again;) {
+    again = false;
+    for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
+      if (!turned(mesh, face))
+        continue;
+      for (const std::size_t point : mesh.faces[face])
+        if (has_moved[point]) {
+          mesh.points[point] = before[point];
+          has_moved[point] = false;
+          again = true;
+        }
+    }
+    mesh.cell_centres = tetrahedron_centres(mesh);
+  }
+}
+
+} // namespace
+
+std::size_t fill_out_spheres(FoamMesh& mesh, const pfv::Packing& packing) {
+  const auto surface = surface_points(mesh, packing.spheres);
+  const auto before = mesh.points;
+  std::vector<char> has_moved(mesh.points.size(), false);
+  for (std::size_t index = 0; index < surface.size(); ++index) {
+    const SurfacePoint& point = surface[index];
+    if (!point.sphere || point.elsewhere)
+      continue;
+    const pfv::Sphere& sphere = packing.spheres[*point.sphere];
+    mesh.points[index] = moved(before[index], sphere.centre, sphere.radius + point.deficit / point.area, packing.box);
+    has_moved[index] = true;
+  }
+  mesh.cell_centres = tetrahedron_centres(mesh);
+  put_back_turned(mesh, before, has_moved);
+  return static_cast<std::size_t>(std::ranges::count(has_moved, true));
+}
+
+} // namespace reference::openfoam

@@ -1,0 +1,87 @@
+#include "reference/openfoam/programs.hpp"
+
+#include "pfv/problem/error.hpp"
+#include "reference/openfoam/temporary_folder.hpp"
+
+#include <array>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <sstream>
+#include <unistd.h>
+
+namespace reference::openfoam {
+
+namespace {
+
+constexpr std::array programs{"gmshToFoam", "renumberMesh", "simpleFoam"};
+
+std::filesystem::path project_folder() {
+  const char* chosen = std::getenv("WM_PROJECT_DIR");
+  return chosen && *chosen ? chosen : "/usr/share/openfoam";
+}
+
+bool on_path(const std::string& program) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (access((std::filesystem::path(folder) / program).c_str(), X_OK) == 0)
+      return true;
+  return false;
+}
+
+meshing::ChildOptions options_in(const std::filesystem::path& folder, const std::string& program) {
+  meshing::ChildOptions options;
+  options.working_folder = folder;
+  options.log = folder / ("log." + program);
+  options.environment = {{"WM_PROJECT_DIR", project_folder().string()}, {"PWD", folder.string()}};
+  return options;
+}
+
+std::string ask_version() {
+  if (missing_programs())
+    return {};
+  const TemporaryFolder folder;
+  const auto options = options_in(folder.path(), "simpleFoam");
+  meshing::run_child({"simpleFoam", "-help"}, options);
+  std::ifstream in(options.log);
+  const std::string help{std::istreambuf_iterator<char>(in), {}};
+  std::smatch release, patch;
+  if (!std::regex_search(help, release, std::regex(R"(Using:\s+OpenFOAM-?\s*\(?([\w.]+))")))
+    return "OpenFOAM of unknown version";
+  if (!std::regex_search(help, patch, std::regex(R"(patch=(\w+))")))
+    return fmt::format("OpenFOAM {}", release.str(1));
+  return fmt::format("OpenFOAM {} (patch {})", release.str(1), patch.str(1));
+}
+
+} // namespace
+
+std::optional<std::string> missing_programs() {
+  for (const char* program : programs)
+    if (!on_path(program))
+      return fmt::format("no program {} on PATH (Debian package openfoam)", program);
+  const auto settings = project_folder() / "etc" / "controlDict";
+  if (!std::filesystem::exists(settings))
+    return fmt::format("no {} (Debian package openfoam, or set WM_PROJECT_DIR)", settings.string());
+  return std::nullopt;
+}
+
+std::string program_version() {
+  static const std::string version = ask_version();
+  return version;
+}
+
+meshing::ChildResult run_program(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
+                                 std::optional<double> wall_limit) {
+  auto options = options_in(folder, arguments.front());
+  options.wall_limit = wall_limit;
+  const auto result = meshing::run_child(arguments, options);
+  if (!result.succeeded())
+    throw pfv::SolveError(fmt::format("{}: {}; its last words: {}", arguments.front(), result.how_it_ended(),
+                                      meshing::last_lines(options.log)));
+  return result;
+}
+
+} // namespace reference::openfoam
