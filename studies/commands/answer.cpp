@@ -3,6 +3,7 @@
 #include "pfv/problem/error.hpp"
 #include "reference/method.hpp"
 #include "studies/runner/files.hpp"
+#include "studies/runner/memory_meter.hpp"
 #include "studies/runner/run.hpp"
 
 #include <CLI/CLI.hpp>
@@ -26,7 +27,10 @@ int answer(const AnswerOptions& options) {
   const pfv::Case problem = pfv::read_case(options.case_file);
   try {
     pfv::Clock clock;
-    write_file(options.out, reference::to_json(method.solve(problem, {options.mesh_size}, clock)));
+    const MemoryMeter memory;
+    reference::Answer answer = method.solve(problem, {options.mesh_size}, clock);
+    answer.counts[memory_count] = static_cast<double>(memory.bytes());
+    write_file(options.out, reference::to_json(answer));
     return exit_answered;
   } catch (const pfv::SolveError& error) {
     fmt::print(stderr, "{}\n", error.what());

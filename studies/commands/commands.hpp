@@ -14,6 +14,10 @@ struct Invocation {
   int exit_code = 0;                // 0 done, 1 a run failed, 2 bad input; `answer` has its own
 };
 
+/// The whole program: reads the command line, does what it says, returns the exit code. Which methods there are is
+/// decided by what it is linked with.
+int main(int argc, char** argv);
+
 // Each adds one subcommand to the command line. `invocation` must outlive `app`.
 void add_list(CLI::App& app);
 void add_methods(CLI::App& app);

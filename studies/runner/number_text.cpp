@@ -66,7 +66,7 @@ std::string seconds(double value) {
 std::string bytes(double value) {
   if (value >= 1e9)
     return fmt::format("{:.1f} GB", value / 1e9);
-  return fmt::format("{:.0f} MB", value / 1e6);
+  return value >= 1e6 ? fmt::format("{:.0f} MB", value / 1e6) : fmt::format("{:.0f} kB", value / 1e3);
 }
 
 } // namespace studies

@@ -27,7 +27,7 @@ std::string ending(const Row& row) {
   if (row.status != Status::answered)
     return fmt::format("{}: {}", name(row.status), row.message);
   return fmt::format("{} dofs, {} CPU s, {}", count(static_cast<double>(row.unknowns)),
-                     seconds(cost(row.stages).total()), bytes(static_cast<double>(row.peak_memory_bytes)));
+                     seconds(cost(row.stages).total()), bytes(static_cast<double>(row.memory_bytes)));
 }
 
 } // namespace

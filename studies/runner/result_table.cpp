@@ -57,18 +57,18 @@ Table result_table(const Study& study, std::span<const Result> results) {
                {"spheres", true},
                {"method"},
                {"dofs", true},
-               {"permeability [m²]", true},
-               {"difference", true},
-               {"rms force difference", true},
-               {"mesh [CPU s]", true},
-               {"once [CPU s]", true},
-               {"solve [CPU s]", true},
+               {"k [m²]", true},
+               {"k difference", true},
+               {"force difference", true},
+               {"mesh s", true},
+               {"once s", true},
+               {"solve s", true},
                {"memory", true},
                {"outcome"}},
               {}};
   const bool published = has_published(study);
   if (published)
-    for (const char* title : {"published dofs", "published CPU s"})
+    for (const char* title : {"published dofs", "published s"})
       table.columns.push_back({title, true});
 
   for (const Result& result : results) {
@@ -85,7 +85,7 @@ Table result_table(const Study& study, std::span<const Result> results) {
                                            seconds(split.mesh),
                                            seconds(split.once),
                                            seconds(split.solve),
-                                           bytes(static_cast<double>(row.peak_memory_bytes))};
+                                           bytes(static_cast<double>(row.memory_bytes))};
     for (const std::string& figure : figures)
       cells.push_back(answered ? figure : "");
     cells.push_back(outcome_cell(result));
@@ -105,7 +105,7 @@ Table run_table(std::span<const Row> rows) {
                {"mesh size", true},
                {"status"},
                {"dofs", true},
-               {"permeability [m²]", true},
+               {"k [m²]", true},
                {"stages [CPU s]"},
                {"process [CPU s]", true},
                {"memory", true},
@@ -121,7 +121,7 @@ Table run_table(std::span<const Row> rows) {
                           std::string(name(row.status)), answered ? count(static_cast<double>(row.unknowns)) : "",
                           row.permeability ? with_error(*row.permeability, std::nullopt) : "", stages,
                           row.repeats > 0 ? seconds(row.process_cpu_seconds) : "",
-                          row.repeats > 0 ? bytes(static_cast<double>(row.peak_memory_bytes)) : "",
+                          row.repeats > 0 ? bytes(static_cast<double>(row.memory_bytes)) : "",
                           fmt::format("{}", row.repeats), seconds(row.estimated_cpu_seconds)});
   }
   return table;

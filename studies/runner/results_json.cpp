@@ -45,7 +45,7 @@ json written(const Result& result) {
               {"permeability_difference", written(result.comparison.permeability)},
               {"rms_force_difference", written(result.comparison.forces)},
               {"cpu_s", {{"mesh", split.mesh}, {"once", split.once}, {"solve", split.solve}}},
-              {"peak_memory_bytes", row.peak_memory_bytes},
+              {"memory_bytes", row.memory_bytes},
               {"keys", json::array()}};
   if (result.comparison.outcome)
     object["outcome"] = name(*result.comparison.outcome);

@@ -94,6 +94,7 @@ const std::vector<Column>& columns() {
       column("process_cpu_s", &Row::process_cpu_seconds),
       column("wall_s", &Row::wall_seconds),
       column("peak_memory_bytes", &Row::peak_memory_bytes),
+      column("memory_bytes", &Row::memory_bytes),
       column("repeats", &Row::repeats),
       column("estimated_cpu_s", &Row::estimated_cpu_seconds),
       column("estimated_memory_bytes", &Row::estimated_memory_bytes),

@@ -30,7 +30,8 @@ struct Row {
   std::vector<pfv::Stage> stages; // CPU seconds; "mesh" is what the mesh took even when it came from the cache
   double process_cpu_seconds = 0; // of the process that ran it, start-up included, cached meshes not
   double wall_seconds = 0;
-  std::size_t peak_memory_bytes = 0; // largest of the processes that ran it
+  std::size_t peak_memory_bytes = 0; // largest of the processes that ran it, all libraries of this build included
+  std::size_t memory_bytes = 0;      // of the method alone: see MemoryMeter
   int repeats = 0;                   // runs of which the one with the median CPU seconds is kept
   double estimated_cpu_seconds = 0;
   double estimated_memory_bytes = 0;

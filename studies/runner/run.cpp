@@ -30,7 +30,8 @@ struct Attempt {
 };
 
 Attempt attempt(const RunOrder& order) {
-  const std::filesystem::path out = order.answer_file.string() + ".new";
+  std::filesystem::path out = order.answer_file;
+  out += ".new";
   std::filesystem::remove(out);
   meshing::ChildOptions options;
   options.log = order.log;
@@ -79,6 +80,8 @@ Row answered(const Attempt& attempt, int repeats) {
   row.porosity = attempt.answer.porosity;
   row.unknowns = attempt.answer.unknowns;
   row.stages = attempt.answer.stages;
+  if (const auto memory = attempt.answer.counts.find(memory_count); memory != attempt.answer.counts.end())
+    row.memory_bytes = static_cast<std::size_t>(memory->second);
   row.repeats = repeats;
   add_cost(attempt, row);
   return row;

@@ -63,6 +63,7 @@ Row with_outcome(Row identity, const Row& outcome) {
   identity.process_cpu_seconds = outcome.process_cpu_seconds;
   identity.wall_seconds = outcome.wall_seconds;
   identity.peak_memory_bytes = outcome.peak_memory_bytes;
+  identity.memory_bytes = outcome.memory_bytes;
   identity.repeats = outcome.repeats;
   return identity;
 }

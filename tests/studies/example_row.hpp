@@ -24,6 +24,7 @@ inline studies::Row example_row(const std::string& method = "exact", double mesh
   row.process_cpu_seconds = 2;
   row.wall_seconds = 2.5;
   row.peak_memory_bytes = 123456789;
+  row.memory_bytes = 23456789;
   row.repeats = 3;
   row.estimated_cpu_seconds = 1;
   row.estimated_memory_bytes = 1e8;

@@ -37,7 +37,7 @@ TEST(Plan, AMethodWithoutAMeshRunsOnce) {
 }
 
 TEST(Plan, RefusesAMethodTheStudyDoesNotAsk) {
-  EXPECT_THROW(plan(example_study(), {false, {"stokes_fem"}}), pfv::InputError);
+  EXPECT_THROW(plan(example_study(), {false, {"absent"}}), pfv::InputError);
 }
 
 TEST(RowsOfPlan, TakesTheNewestRowOfTheNewestQuestion) {

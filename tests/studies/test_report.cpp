@@ -61,11 +61,11 @@ TEST(ResultTable, HasALineForEveryMethodAndEveryCellHasAColumn) {
     return static_cast<std::size_t>(found - table.columns.begin());
   };
   EXPECT_EQ(table.rows[0][column("published dofs")], "45");
-  EXPECT_EQ(table.rows[0][column("published CPU s")], "0.00022");
+  EXPECT_EQ(table.rows[0][column("published s")], "0.00022");
   EXPECT_EQ(table.rows[1][column("published dofs")], ""); // the publication has no such row
   EXPECT_EQ(table.rows[2][column("published dofs")], "n.a.");
   EXPECT_EQ(table.rows[1][column("outcome")], "reference");
-  EXPECT_NE(table.rows[1][column("permeability [m²]")].find("±"), std::string::npos);
+  EXPECT_NE(table.rows[1][column("k [m²]")].find("±"), std::string::npos);
   EXPECT_EQ(table.rows[2][column("outcome")], "not run: over budget (expected 5e6 unknowns, 9000 CPU s, 12 GB)");
   EXPECT_EQ(table.rows[2][column("dofs")], "");
 }

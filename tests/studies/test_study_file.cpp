@@ -73,7 +73,7 @@ TEST(StudyFile, RefusesUnknownKeysNamingTheValidOnes) {
 }
 
 TEST(StudyFile, RefusesUnknownNamesNamingTheValidOnes) {
-  expect_refused("name = \"exact\"", "name = \"exakt\"", {"exakt", "stokes_fem", "exact"});
+  expect_refused("name = \"exact\"", "name = \"exakt\"", {"exakt", "absent", "exact"});
   expect_refused("reference = \"exact\"", "reference = \"other\"", {"reference", "other", "exact"});
   expect_refused("quick = true", "quick = [\"other\"]", {"quick", "other", "exact"});
   expect_refused("quick = true", "methods = [\"other\"]", {"methods", "other", "exact"});
