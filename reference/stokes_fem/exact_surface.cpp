@@ -1,5 +1,7 @@
 #include "reference/stokes_fem/exact_surface.hpp"
 
+#include "reference/stokes_fem/bridge_gaps.hpp"
+
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -47,11 +49,9 @@ struct SurfaceOf {
 
   ExactSurface operator()(const Bridge& label) const {
     const pfv::Sphere& sphere = packing.spheres[label.sphere];
-    if (const auto* face = std::get_if<pfv::Face>(&label.other))
-      return Cylinder{sphere.centre, outward_normal(*face), bridge_radius * sphere.radius};
-    const pfv::Sphere& other = packing.spheres[std::get<std::size_t>(label.other)];
-    return Cylinder{sphere.centre, (other.centre - sphere.centre).normalized(),
-                    bridge_radius * std::min(sphere.radius, other.radius)};
+    const auto* other = std::get_if<std::size_t>(&label.other);
+    const double smaller = other ? std::min(sphere.radius, packing.spheres[*other].radius) : sphere.radius;
+    return Cylinder{sphere.centre, bridge_direction(label, packing), bridge_radius * smaller};
   }
 };
 

@@ -59,9 +59,8 @@ Answer flow_on_mesh(const pfv::Case& problem, const std::filesystem::path& mesh,
   {
     const auto timing = clock.stage("forces");
     solution.flow.pressure.array() += unit.lowest_pressure;
-    add_forces(
-        fluid_forces(*space, system, boundary, unit.problem.faces, solution.flow, problem.packing.spheres.size()),
-        unit.force(), answer);
+    add_forces(fluid_forces(*space, system, boundary, unit.problem, solution.flow, bridge_radius), unit.force(),
+               answer);
   }
   add_flow(problem, unit, solution, answer);
   answer.porosity = system.volume / unit.problem.packing.box.volume();

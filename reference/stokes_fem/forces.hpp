@@ -1,7 +1,7 @@
 #pragma once
 
-#include "reference/stokes_fem/boundary.hpp"
 #include "reference/stokes_fem/stokes_system.hpp"
+#include "reference/stokes_fem/tractions.hpp"
 
 namespace reference::stokes_fem {
 
@@ -11,10 +11,15 @@ struct Forces {
 };
 
 /// Force of the fluid on every sphere and box face, of unit viscosity, by the nodal residual of the momentum equation
-/// (variational: as exact as the solution, and the sum over spheres and faces is zero to the solver's tolerance). The
-/// force on a bridge is shared equally by its two spheres, or goes to the one sphere that touches a wall. `faces` gives
-/// the pressures `flow` was driven by.
+/// (variational: as exact as the solution, and the sum over spheres and faces is zero to the solver's tolerance).
+///
+/// A bridge stands for a contact whose narrow gap is full of fluid, so besides the force on the bridge (shared equally
+/// by its two spheres, or given to the one that touches a wall) the two ends get what that fluid would push them apart
+/// with: the mean pressure on the bridge, or the pressure of the open face it ends in, over its section. Without it a
+/// simple cubic lattice would carry dp (S - section) instead of dp S.
+///
+/// `problem` is the unit case, its pressures those `flow` was driven by.
 Forces fluid_forces(const Discretisation& discretisation, const StokesSystem& system, const Boundary& boundary,
-                    const pfv::FaceConditions& faces, const FlowField& flow, std::size_t spheres);
+                    const pfv::Case& problem, const FlowField& flow, double bridge_radius);
 
 } // namespace reference::stokes_fem

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "pfv/clock.hpp"
-#include "reference/stokes_fem/boundary.hpp"
 #include "reference/stokes_fem/stokes_system.hpp"
+#include "reference/stokes_fem/tractions.hpp"
 
 #include <cstddef>
 
