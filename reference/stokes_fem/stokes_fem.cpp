@@ -1,6 +1,7 @@
 #include "reference/stokes_fem/stokes_fem.hpp"
 
 #include "meshing/void_mesh.hpp"
+#include "pfv/problem/error.hpp"
 #include "reference/stokes_fem/discretise.hpp"
 #include "reference/stokes_fem/estimate_cost.hpp"
 #include "reference/stokes_fem/flow_on_mesh.hpp"
@@ -54,6 +55,8 @@ public:
   }
 
   Answer solve(const pfv::Case& problem, const Resolution& resolution, pfv::Clock& clock) const override {
+    if (const auto reason = not_covered(problem))
+      throw pfv::SolveError("stokes_fem does not cover this case: " + *reason);
     const meshing::MeshSettings settings = mesh_settings(resolution);
     const meshing::VoidMesh mesh = meshing::void_mesh(problem, settings, meshing::default_mesh_cache());
     pfv::Clock own;

@@ -2,6 +2,7 @@
 // fundamental solutions (wall residual below 6e-5, within 0.05 % at contact; agrees with Zick & Homsy 1982, Table 2).
 
 #include "meshing/void_mesh.hpp"
+#include "pfv/problem/error.hpp"
 #include "pfv/problem/generate.hpp"
 #include "reference/stokes_fem/flow_on_mesh.hpp"
 #include "reference/stokes_fem/stokes_fem.hpp"
@@ -87,6 +88,8 @@ struct KnownDrag {
   Lattice lattice;
   double solid_fraction;
   double drag;
+
+  friend void PrintTo(const KnownDrag& known, std::ostream* out) { *out << known.name; }
 };
 
 class StokesFemLattice : public StokesFem, public ::testing::WithParamInterface<KnownDrag> {};
@@ -187,6 +190,7 @@ TEST_F(StokesFem, CoversWhatHasAPressureOnly) {
   EXPECT_FALSE(method->not_covered(closed));
   closed.faces.fill(pfv::SlipWall{});
   EXPECT_TRUE(method->not_covered(closed));
+  EXPECT_THROW(solve(closed, 1), pfv::SolveError);
 }
 
 TEST_F(StokesFem, KnowsItsSizeBeforehand) {
