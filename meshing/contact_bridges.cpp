@@ -10,6 +10,10 @@ namespace meshing {
 
 namespace {
 
+/// Where a bridge begins, in units of the sphere's radius from its centre: so deep that its end is inside the sphere,
+/// so shallow that the bridges of one sphere keep clear of each other.
+constexpr double start = 0.7;
+
 /// Two spheres whose surfaces are nearer than `bridged_gap` and whose common circle, if any, hides inside the bridge.
 bool needs_bridge(double distance, double radius_1, double radius_2, double bridge) {
   const double smaller = std::min(radius_1, radius_2);
@@ -31,8 +35,11 @@ std::vector<Bridge> contact_bridges(const pfv::Packing& packing, double bridge_r
     for (std::size_t j = i + 1; j < spheres.size(); ++j) {
       const double distance = (spheres[j].centre - spheres[i].centre).norm();
       const double radius = bridge_radius * std::min(spheres[i].radius, spheres[j].radius);
-      if (needs_bridge(distance, spheres[i].radius, spheres[j].radius, radius))
-        bridges.push_back({fmt::format("bridge_{}_{}", i, j), spheres[i].centre, spheres[j].centre, radius});
+      if (!needs_bridge(distance, spheres[i].radius, spheres[j].radius, radius))
+        continue;
+      const pfv::Vec3 direction = (spheres[j].centre - spheres[i].centre) / distance;
+      bridges.push_back({fmt::format("bridge_{}_{}", i, j), spheres[i].centre + start * spheres[i].radius * direction,
+                         spheres[j].centre - start * spheres[j].radius * direction, radius});
     }
   for (std::size_t k = 0; k < spheres.size(); ++k)
     for (const pfv::Face face : pfv::all_faces) {
@@ -41,8 +48,8 @@ std::vector<Bridge> contact_bridges(const pfv::Packing& packing, double bridge_r
       const pfv::Vec3& corner = pfv::is_upper(face) ? packing.box.upper : packing.box.lower;
       const double distance = normal.dot(corner - centre);
       if (needs_bridge(2 * distance, r, r, bridge_radius * r))
-        bridges.push_back({fmt::format("bridge_{}_{}", k, pfv::face_names[pfv::index(face)]), centre,
-                           centre + (distance + r / 2) * normal, bridge_radius * r});
+        bridges.push_back({fmt::format("bridge_{}_{}", k, pfv::face_names[pfv::index(face)]),
+                           centre + start * r * normal, centre + (distance + r / 2) * normal, bridge_radius * r});
     }
   return bridges;
 }

@@ -47,8 +47,11 @@ MeshQuality measure_mesh(const LinearMesh& mesh, const pfv::Packing& packing) {
     quality.volume += signed_volume(corners);
     quality.worst_quality = std::min(quality.worst_quality, tetrahedron_quality(corners));
   }
-  for (const auto& [a, b, c] : mesh.sphere_triangles)
-    quality.surface += triangle_area(mesh.nodes[a], mesh.nodes[b], mesh.nodes[c]);
+  for (const auto& [nodes, surface] : mesh.triangles)
+    if (mesh.surfaces[surface].starts_with("sphere_"))
+      quality.surface += triangle_area(mesh.nodes[nodes[0]], mesh.nodes[nodes[1]], mesh.nodes[nodes[2]]);
+  quality.bridges = static_cast<std::size_t>(
+      std::ranges::count_if(mesh.surfaces, [](const std::string& name) { return name.starts_with("bridge_"); }));
   const VoidMeasure exact = exact_void(packing);
   quality.exact_volume = exact.volume;
   quality.volume_error = quality.volume / exact.volume - 1;

@@ -1,7 +1,9 @@
 #include "meshing/mesher/generate_mesh.hpp"
 
 #include "meshing/contact_bridges.hpp"
+#include "meshing/dented_cells.hpp"
 #include "meshing/element_size.hpp"
+#include "meshing/linear_mesh.hpp"
 #include "meshing/measure_mesh.hpp"
 #include "meshing/mesher/void_geometry.hpp"
 
@@ -9,7 +11,7 @@
 #include <gmsh.h>
 #include <map>
 #include <stdexcept>
-#include <string_view>
+#include <string>
 
 namespace mesher {
 
@@ -29,14 +31,6 @@ void set_options() {
   setNumber("Mesh.Algorithm", 6);   // frontal-Delaunay
   setNumber("Mesh.Algorithm3D", 1); // Delaunay
   setNumber("Mesh.Optimize", 1);
-  setNumber("Mesh.MshFileVersion", 2.2);
-  setNumber("Mesh.Binary", 0);
-}
-
-void name_entities(const VoidGeometry& geometry) {
-  for (const auto& [name, surfaces] : geometry.surfaces)
-    gmsh::model::setPhysicalName(2, gmsh::model::addPhysicalGroup(2, surfaces), name);
-  gmsh::model::setPhysicalName(3, gmsh::model::addPhysicalGroup(3, geometry.volumes), "fluid");
 }
 
 /// Nodes of gmsh, whose tags have gaps, numbered from 0 as they are used.
@@ -88,13 +82,14 @@ meshing::LinearMesh mesh_of(const VoidGeometry& geometry) {
   Nodes nodes;
   for (const int volume : geometry.volumes)
     append(3, volume, nodes, mesh.tetrahedra);
-  for (const auto& [name, surfaces] : geometry.surfaces)
-    for (const int surface : surfaces) {
-      std::vector<std::array<int, 3>> triangles;
+  for (const auto& [name, surfaces] : geometry.surfaces) {
+    std::vector<std::array<int, 3>> triangles;
+    for (const int surface : surfaces)
       append(2, surface, nodes, triangles);
-      if (name.starts_with("sphere_"))
-        mesh.sphere_triangles.insert(mesh.sphere_triangles.end(), triangles.begin(), triangles.end());
-    }
+    for (const auto& corners : triangles)
+      mesh.triangles.push_back({corners, static_cast<int>(mesh.surfaces.size())});
+    mesh.surfaces.push_back(name);
+  }
   mesh.nodes = nodes.used();
   return mesh;
 }
@@ -104,21 +99,18 @@ meshing::LinearMesh mesh_of(const VoidGeometry& geometry) {
 meshing::MeshQuality generate_mesh(const pfv::Packing& packing, double mesh_size, double bridge_radius,
                                    const std::string& file) {
   set_options();
-  gmsh::model::add("void");
   const auto geometry = build_void(packing, meshing::contact_bridges(packing, bridge_radius));
-  name_entities(geometry);
   const meshing::ElementSize size(packing, mesh_size);
   gmsh::model::mesh::setSizeCallback([&](int, int, double x, double y, double z) { return size(pfv::Vec3(x, y, z)); });
   gmsh::model::mesh::generate(3);
 
-  meshing::MeshQuality quality = meshing::measure_mesh(mesh_of(geometry), packing);
-  quality.bridges = static_cast<std::size_t>(std::ranges::count_if(
-      geometry.surfaces, [](const auto& surface) { return surface.first.starts_with("bridge_"); }));
+  const auto mesh = meshing::without_dented_cells(mesh_of(geometry));
+  auto quality = meshing::measure_mesh(mesh, packing);
   quality.parts = geometry.volumes.size();
   quality.enclosed_parts = geometry.enclosed;
   if (quality.worst_quality <= 0)
     throw std::runtime_error("gmsh made a tetrahedron that is flat or inside out");
-  gmsh::write(file);
+  meshing::write_msh(mesh, file);
   return quality;
 }
 

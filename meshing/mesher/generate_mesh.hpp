@@ -8,9 +8,9 @@
 namespace mesher {
 
 /// Part of what meshes are cached by: raised whenever the same packing and settings give another mesh.
-inline constexpr int version = 1;
+inline constexpr int version = 2;
 
-/// Meshes the void of a packing in the current gmsh model with linear tetrahedra and writes it as ASCII MSH 2.2.
+/// Meshes the void of a packing with linear tetrahedra and writes it as ASCII MSH 2.2.
 /// Throws std::runtime_error and gmsh's own exceptions (std::string, int).
 meshing::MeshQuality generate_mesh(const pfv::Packing& packing, double mesh_size, double bridge_radius,
                                    const std::string& file);

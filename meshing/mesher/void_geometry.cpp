@@ -1,12 +1,14 @@
 #include "meshing/mesher/void_geometry.hpp"
 
+#include "meshing/exact_void.hpp"
+#include "meshing/mesher/seams.hpp"
 #include "meshing/mesher/surface_names.hpp"
 
-#include <array>
-#include <cmath>
+#include <algorithm>
+#include <cstdint>
+#include <fmt/format.h>
 #include <gmsh.h>
 #include <numbers>
-#include <random>
 #include <stdexcept>
 
 namespace mesher {
@@ -15,45 +17,30 @@ namespace {
 
 namespace occ = gmsh::model::occ;
 
-/// Angles and directions that are the same on every machine.
-class Directions {
-public:
-  double angle() { return 2 * std::numbers::pi * uniform(); }
-  pfv::Vec3 direction() {
-    const double z = 2 * uniform() - 1;
-    const double turn = angle();
-    const double across = std::sqrt(1 - z * z);
-    return {across * std::cos(turn), across * std::sin(turn), z};
-  }
-
-private:
-  double uniform() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
-  std::mt19937_64 random_{20110101};
-};
-
-void rotate(int volume, const pfv::Vec3& centre, const pfv::Vec3& axis, double angle) {
-  occ::rotate({{3, volume}}, centre.x(), centre.y(), centre.z(), axis.x(), axis.y(), axis.z(), angle);
+void turn(int volume, const pfv::Vec3& about, const Eigen::Quaterniond& by) {
+  const Eigen::AngleAxisd rotation(by);
+  const pfv::Vec3& axis = rotation.axis();
+  occ::rotate({{3, volume}}, about.x(), about.y(), about.z(), axis.x(), axis.y(), axis.z(), rotation.angle());
 }
 
-/// Every sphere turned its own way: OpenCASCADE fails where poles and seams of many spheres line up with each other or
-/// with the box.
-gmsh::vectorpair add_spheres(const std::vector<pfv::Sphere>& spheres, Directions& random) {
+gmsh::vectorpair add_spheres(const std::vector<pfv::Sphere>& spheres, const std::vector<Eigen::Quaterniond>& turns) {
   gmsh::vectorpair volumes;
-  for (const auto& [centre, radius] : spheres) {
+  for (std::size_t k = 0; k < spheres.size(); ++k) {
+    const auto& [centre, radius] = spheres[k];
     const int volume = occ::addSphere(centre.x(), centre.y(), centre.z(), radius);
-    rotate(volume, centre, random.direction(), random.angle());
+    turn(volume, centre, turns[k]);
     volumes.emplace_back(3, volume);
   }
   return volumes;
 }
 
-gmsh::vectorpair add_bridges(const std::vector<meshing::Bridge>& bridges, Directions& random) {
+gmsh::vectorpair add_bridges(const std::vector<meshing::Bridge>& bridges,
+                             const std::vector<Eigen::Quaterniond>& turns) {
   gmsh::vectorpair volumes;
-  for (const meshing::Bridge& bridge : bridges) {
-    const pfv::Vec3 along = bridge.to - bridge.from;
-    const int volume = occ::addCylinder(bridge.from.x(), bridge.from.y(), bridge.from.z(), along.x(), along.y(),
-                                        along.z(), bridge.radius);
-    rotate(volume, bridge.from, along, random.angle());
+  for (std::size_t b = 0; b < bridges.size(); ++b) {
+    const auto& [name, from, to, radius] = bridges[b];
+    const int volume = occ::addCylinder(from.x(), from.y(), from.z(), 0, 0, (to - from).norm(), radius);
+    turn(volume, from, turns[b]);
     volumes.emplace_back(3, volume);
   }
   return volumes;
@@ -93,28 +80,48 @@ bool is_box_face(const std::string& name) {
   return name.find('_') == 1;
 } // x_min, not sphere_3 or bridge_1_2
 
-} // namespace
+/// Of OpenCASCADE's solids, summed.
+double volume_of(const gmsh::vectorpair& solids) {
+  double total = 0;
+  for (const auto& [dimension, volume] : solids) {
+    double mass = 0;
+    occ::getMass(dimension, volume, mass);
+    total += mass;
+  }
+  return total;
+}
 
-VoidGeometry build_void(const pfv::Packing& packing, const std::vector<meshing::Bridge>& bridges) {
-  Directions random;
+/// A boolean that forgets a sphere or loses a piece does not say so, but the volume does. What bridges take from the
+/// fluid is less than a tenth of their own volume, which is mostly inside the spheres.
+void check_volume(double volume, const pfv::Packing& packing, const std::vector<meshing::Bridge>& bridges) {
+  const double exact = meshing::exact_void(packing).volume;
+  double allowance = 0;
+  for (const meshing::Bridge& bridge : bridges)
+    allowance += 0.1 * std::numbers::pi * bridge.radius * bridge.radius * (bridge.to - bridge.from).norm();
+  const double round_off = 1e-5 * packing.box.volume();
+  if (volume > exact + round_off || volume < exact - allowance - round_off)
+    throw std::runtime_error(fmt::format("OpenCASCADE left a volume of {:g} where the void has {:g}", volume, exact));
+}
+
+VoidGeometry try_to_build(const pfv::Packing& packing, const std::vector<meshing::Bridge>& bridges,
+                          std::uint64_t attempt) {
+  const Turns turns = turns_of_seams(packing, bridges, attempt);
   const pfv::Vec3& corner = packing.box.lower;
   const pfv::Vec3 size = packing.box.size();
   const gmsh::vectorpair box{{3, occ::addBox(corner.x(), corner.y(), corner.z(), size.x(), size.y(), size.z())}};
-  const auto fluid = cut(cut(box, add_bridges(bridges, random)), add_spheres(packing.spheres, random));
+  // Bridges first: then no two spheres touch in what is left to cut.
+  const auto fluid = cut(cut(box, add_bridges(bridges, turns.bridges)), add_spheres(packing.spheres, turns.spheres));
   occ::synchronize();
+  check_volume(volume_of(fluid), packing, bridges);
 
   VoidGeometry result;
   for (const auto& [dimension, volume] : fluid) {
     gmsh::vectorpair boundary;
     gmsh::model::getBoundary({{dimension, volume}}, boundary, false, false);
     std::map<std::string, std::vector<int>> surfaces;
-    bool open = false;
-    for (const auto& [surface_dimension, surface] : boundary) {
-      const std::string name = name_of_surface(points_on(surface), packing, bridges);
-      surfaces[name].push_back(surface);
-      open = open || is_box_face(name);
-    }
-    if (!open) {
+    for (const auto& [surface_dimension, surface] : boundary)
+      surfaces[name_of_surface(points_on(surface), packing, bridges)].push_back(surface);
+    if (std::ranges::none_of(surfaces, is_box_face, [](const auto& surface) { return surface.first; })) {
       ++result.enclosed;
       continue;
     }
@@ -125,6 +132,28 @@ VoidGeometry build_void(const pfv::Packing& packing, const std::vector<meshing::
   if (result.volumes.empty())
     throw std::runtime_error("no volume of fluid touches a face of the box");
   return result;
+}
+
+} // namespace
+
+VoidGeometry build_void(const pfv::Packing& packing, const std::vector<meshing::Bridge>& bridges) {
+  constexpr std::uint64_t attempts = 8;
+  for (std::uint64_t attempt = 1;; ++attempt) {
+    gmsh::clear();
+    gmsh::model::add("void");
+    std::string reason;
+    try {
+      return try_to_build(packing, bridges, attempt);
+    } catch (const std::exception& error) {
+      reason = error.what();
+    } catch (const std::string& message) { // what gmsh throws
+      reason = message;
+    }
+    reason = fmt::format("attempt {} at the geometry: {}", attempt, reason);
+    if (attempt == attempts)
+      throw std::runtime_error(reason);
+    gmsh::logger::write(reason, "warning");
+  }
 }
 
 } // namespace mesher

@@ -17,9 +17,10 @@ struct VoidGeometry {
   std::size_t enclosed = 0;                         // volumes left out, as they touch no face of the box
 };
 
-/// Builds box minus spheres minus bridges in the current gmsh model with OpenCASCADE and names every surface by the
-/// sphere, cylinder or plane it lies on. Throws std::runtime_error on a surface that lies on none or on two, and gmsh's
-/// own exceptions.
+/// Builds box minus spheres minus bridges in a new gmsh model with OpenCASCADE and names every surface by the sphere,
+/// cylinder or plane it lies on. When a boolean fails, its volume is wrong, or a surface lies on none or on two, it
+/// tries again with the spheres turned another way. Throws std::runtime_error with the last reason when that does not
+/// help.
 VoidGeometry build_void(const pfv::Packing& packing, const std::vector<meshing::Bridge>& bridges);
 
 } // namespace mesher

@@ -1,0 +1,189 @@
+#include "meshing/mesher/seams.hpp"
+
+#include "pfv/problem/face.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+namespace mesher {
+
+namespace {
+
+using Eigen::Quaterniond;
+using pfv::Vec3;
+
+constexpr double pi = std::numbers::pi;
+constexpr double far = std::numeric_limits<double>::infinity();
+
+/// Numbers within (0, 1) that are the same on every machine.
+class Uniform {
+public:
+  explicit Uniform(std::uint64_t seed) : random_(seed) {}
+  double operator()() { return (static_cast<double>(random_() >> 11) + 0.5) * 0x1p-53; }
+
+private:
+  std::mt19937_64 random_;
+};
+
+/// Shoemake 1992, Uniform random rotations.
+Quaterniond random_turn(Uniform& uniform) {
+  const double u = uniform(), v = 2 * pi * uniform(), w = 2 * pi * uniform();
+  return {std::sqrt(1 - u) * std::sin(v), std::sqrt(1 - u) * std::cos(v), std::sqrt(u) * std::sin(w),
+          std::sqrt(u) * std::cos(w)};
+}
+
+/// A circle on a sphere: the directions at `angle` from `axis`.
+struct Circle {
+  Vec3 axis;
+  double angle;
+};
+
+using Circles = std::vector<Circle>;
+
+void add_where_planes_cut(const pfv::Sphere& sphere, const pfv::Box& box, Circles& circles) {
+  for (const pfv::Face face : pfv::all_faces) {
+    const Vec3 normal = pfv::outward_normal(face);
+    const double distance = normal.dot((pfv::is_upper(face) ? box.upper : box.lower) - sphere.centre);
+    if (distance < sphere.radius)
+      circles.push_back({normal, std::acos(distance / sphere.radius)});
+  }
+}
+
+void add_where_spheres_cut(const pfv::Sphere& sphere, const pfv::Sphere& other, Circles& circles) {
+  const Vec3 to = other.centre - sphere.centre;
+  const double distance = to.norm();
+  const double offset =
+      (distance * distance + sphere.radius * sphere.radius - other.radius * other.radius) / (2 * distance);
+  if (std::abs(offset) < sphere.radius)
+    circles.push_back({to / distance, std::acos(offset / sphere.radius)});
+}
+
+/// The circle where a bridge leaves a sphere, if it is one of its two.
+void add_where_bridge_leaves(const pfv::Sphere& sphere, const meshing::Bridge& bridge, Circles& circles) {
+  const Vec3 along = (bridge.to - bridge.from).normalized();
+  if ((bridge.from - sphere.centre).norm() < sphere.radius &&
+      (bridge.from - sphere.centre).cross(along).norm() < 1e-9 * sphere.radius)
+    circles.push_back({along, std::asin(bridge.radius / sphere.radius)});
+  if ((bridge.to - sphere.centre).norm() < sphere.radius &&
+      (bridge.to - sphere.centre).cross(along).norm() < 1e-9 * sphere.radius)
+    circles.push_back({-along, std::asin(bridge.radius / sphere.radius)});
+}
+
+std::vector<Circles> circles_on_spheres(const pfv::Packing& packing, const std::vector<meshing::Bridge>& bridges) {
+  const auto& spheres = packing.spheres;
+  std::vector<Circles> circles(spheres.size());
+  for (std::size_t k = 0; k < spheres.size(); ++k) {
+    add_where_planes_cut(spheres[k], packing.box, circles[k]);
+    for (std::size_t other = 0; other < spheres.size(); ++other)
+      if (other != k)
+        add_where_spheres_cut(spheres[k], spheres[other], circles[k]);
+    for (const meshing::Bridge& bridge : bridges)
+      add_where_bridge_leaves(spheres[k], bridge, circles[k]);
+  }
+  return circles;
+}
+
+/// Smallest angle by which the seam and the poles of a turned sphere keep clear of a circle, for small circles in units
+/// of their size.
+double clearance(const Quaterniond& turn, const Circle& circle) {
+  const Vec3 local = turn.conjugate() * circle.axis;
+  const double to_pole = std::acos(std::clamp(std::abs(local.z()), 0.0, 1.0));
+  const double to_seam = local.x() >= 0 ? std::asin(std::clamp(std::abs(local.y()), 0.0, 1.0)) : to_pole;
+  const double size = std::min(0.2, std::min(circle.angle, pi - circle.angle));
+  return std::min({std::abs(to_seam - circle.angle), std::abs(to_pole - circle.angle),
+                   std::abs(pi - to_pole - circle.angle)}) /
+         std::max(size, 1e-3);
+}
+
+Quaterniond best_turn(const Circles& circles, Uniform& uniform) {
+  constexpr int draws = 1000;
+  Quaterniond best;
+  double widest = -1;
+  for (int draw = 0; draw < draws; ++draw) {
+    const Quaterniond turn = random_turn(uniform);
+    double least = far;
+    for (const Circle& circle : circles) {
+      least = std::min(least, clearance(turn, circle));
+      if (least <= widest)
+        break;
+    }
+    if (least > widest) {
+      widest = least;
+      best = turn;
+    }
+  }
+  return best;
+}
+
+/// Angles around a bridge's axis, in its own frame, at which the seam of a turned sphere crosses the bridge's circle.
+void add_seam_crossings(const pfv::Sphere& sphere, const Quaterniond& sphere_turn, const meshing::Bridge& bridge,
+                        const Quaterniond& frame, std::vector<double>& angles) {
+  constexpr int steps = 2000;
+  double previous = 0;
+  for (int i = 0; i <= steps; ++i) {
+    const double latitude = pi * (static_cast<double>(i) / steps - 0.5);
+    const Vec3 point = sphere.centre + sphere.radius * (sphere_turn * Vec3(std::cos(latitude), 0, std::sin(latitude)));
+    const Vec3 local = frame.conjugate() * (point - bridge.from);
+    const double beyond = local.head<2>().norm() - bridge.radius;
+    const double length = (bridge.to - bridge.from).norm();
+    if (i > 0 && beyond * previous < 0 && local.z() > 0 && local.z() < length)
+      angles.push_back(std::atan2(local.y(), local.x()));
+    previous = beyond;
+  }
+}
+
+/// Distance in radii between a bridge's seam at `angle` and the box faces that the bridge lies in.
+double distance_to_faces(const meshing::Bridge& bridge, const Quaterniond& frame, double angle, const pfv::Box& box) {
+  double least = far;
+  for (const Vec3& end : {bridge.from, bridge.to})
+    for (int a = 0; a < 3; ++a)
+      for (const double plane : {box.lower[a], box.upper[a]}) {
+        const Vec3 offset = frame * Vec3(std::cos(angle), std::sin(angle), 0);
+        const bool lies_in = std::abs((frame * Vec3::UnitZ())[a]) < 0.5;
+        if (lies_in && std::abs(end[a] - plane) < 2 * bridge.radius)
+          least = std::min(least, std::abs(end[a] + bridge.radius * offset[a] - plane) / bridge.radius);
+      }
+  return least;
+}
+
+Quaterniond best_turn(const meshing::Bridge& bridge, const pfv::Packing& packing,
+                      const std::vector<Quaterniond>& spheres, Uniform& uniform) {
+  const Quaterniond frame = Quaterniond::FromTwoVectors(Vec3::UnitZ(), bridge.to - bridge.from);
+  std::vector<double> taken;
+  for (std::size_t k = 0; k < spheres.size(); ++k) {
+    const auto& sphere = packing.spheres[k];
+    if (std::min((sphere.centre - bridge.from).norm(), (sphere.centre - bridge.to).norm()) < sphere.radius)
+      add_seam_crossings(sphere, spheres[k], bridge, frame, taken);
+  }
+  constexpr int draws = 100;
+  const double start = 2 * pi * uniform();
+  double best = start, widest = -1;
+  for (int draw = 0; draw < draws; ++draw) {
+    const double angle = start + 2 * pi * draw / draws;
+    double least = std::min(0.7, distance_to_faces(bridge, frame, angle, packing.box));
+    for (const double other : taken)
+      least = std::min(least, std::abs(std::remainder(angle - other, 2 * pi)));
+    if (least > widest) {
+      widest = least;
+      best = angle;
+    }
+  }
+  return frame * Eigen::AngleAxisd(best, Vec3::UnitZ());
+}
+
+} // namespace
+
+Turns turns_of_seams(const pfv::Packing& packing, const std::vector<meshing::Bridge>& bridges, std::uint64_t attempt) {
+  Uniform uniform(attempt);
+  Turns turns;
+  for (const Circles& circles : circles_on_spheres(packing, bridges))
+    turns.spheres.push_back(best_turn(circles, uniform));
+  for (const meshing::Bridge& bridge : bridges)
+    turns.bridges.push_back(best_turn(bridge, packing, turns.spheres, uniform));
+  return turns;
+}
+
+} // namespace mesher
