@@ -68,6 +68,10 @@ Row with_outcome(Row identity, const Row& outcome) {
   return identity;
 }
 
+bool within(const Budget& budget, const Row& row) {
+  return row.estimated_cpu_seconds <= budget.cpu_seconds && row.estimated_memory_bytes <= budget.memory_bytes;
+}
+
 // Why a run is not started, when it is not. Fills in the estimate.
 std::optional<Status> reason_not_to_run(const reference::Method& method, const pfv::Case& problem, const Budget& budget,
                                         Row& row) {
@@ -82,7 +86,7 @@ std::optional<Status> reason_not_to_run(const reference::Method& method, const p
   const reference::Estimate estimate = method.estimate(problem, {row.mesh_size});
   row.estimated_cpu_seconds = estimate.cpu_seconds;
   row.estimated_memory_bytes = estimate.memory_bytes;
-  if (estimate.cpu_seconds <= budget.cpu_seconds && estimate.memory_bytes <= budget.memory_bytes)
+  if (within(budget, row))
     return std::nullopt;
   row.unknowns = static_cast<std::size_t>(estimate.unknowns);
   row.message = fmt::format("expected {} unknowns, {} CPU s, {}", count(estimate.unknowns),
@@ -97,6 +101,11 @@ const Row* newest_with_key(const std::vector<Row>& rows, const std::string& key)
 
 bool stands(const Row& row, bool retry_failed) {
   return row.status == Status::answered || (row.status == Status::failed && !retry_failed);
+}
+
+// An estimate can take a while for a large packing: the stored one serves as long as it is above the budget.
+bool still_over(const Row& row, const Budget& budget) {
+  return row.status == Status::over_budget && !within(budget, row);
 }
 
 struct Task {
@@ -160,7 +169,7 @@ std::vector<Row> run_study(const Study& study, const Scope& scope, const RunSett
     const reference::Method& method = reference::find_method(planned.method);
     Row row = identity(study, planned, stored, method);
     const Row* before = newest_with_key(store.rows(), row.key);
-    if (before && stands(*before, settings.retry_failed)) {
+    if (before && (stands(*before, settings.retry_failed) || still_over(*before, study.budget))) {
       rows[i] = *before;
       continue;
     }
