@@ -50,6 +50,8 @@ std::string told(const Difference& difference, const char* quantity, double tole
                                  percent(difference.value));
   if (difference.unresolved())
     text += fmt::format(", unresolved below the reference's own error of {}", percent(*difference.reference_error));
+  else if (std::abs(difference.value) > tolerance && agrees(difference, tolerance))
+    text += fmt::format(", no more than the error bars of {}", percent(*difference.error));
   else if (!difference.reference_error)
     text += ", the reference has no error bar";
   return text;

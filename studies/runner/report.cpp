@@ -13,9 +13,9 @@ namespace {
 
 std::string plan_sentence(const Scope& scope) {
   std::string text =
-      scope.quick ? "This is the quick plan: fewer cases and coarser meshes than the study's full plan. " : "";
+      scope.quick ? "\nThis is the quick plan: fewer cases and coarser meshes than the study's full plan.\n" : "";
   if (!scope.methods.empty())
-    text += fmt::format("Only these methods were asked: {}. ", fmt::join(scope.methods, ", "));
+    text += fmt::format("\nOnly these methods were asked: {}.\n", fmt::join(scope.methods, ", "));
   return text;
 }
 
@@ -34,7 +34,7 @@ std::string value_sentence(const Finding& finding) {
 
 std::string sentence(const StudyCase& one, const Result& result) {
   const Finding& finding = result.finding;
-  std::string text = fmt::format("- **{}, {}**: ", one.label, finding.method);
+  std::string text = fmt::format("- **{} ({} spheres), {}**: ", one.label, finding.told().spheres, finding.method);
   if (!finding.answered())
     return text + fmt::format("{}: {}.\n", name(finding.told().status), finding.told().message);
   text += value_sentence(finding);
@@ -79,10 +79,10 @@ std::string how_to_read(const Study& study) {
 std::string report(const Study& study, const Scope& scope, std::span<const Row> rows,
                    const std::filesystem::path& answers) {
   const std::vector<Result> list = results(study, rows, answers);
-  std::string text = fmt::format("# {}\n\n{}\n\n{}", study.title, study.question, plan_sentence(scope));
+  std::string text = fmt::format("# {}\n\n{}\n{}", study.title, study.question, plan_sentence(scope));
   if (rows.empty())
-    return text + "Nothing has been run yet.\n";
-  text += fmt::format("\n\n## Results\n\n{}\n{}", to_markdown(result_table(study, list)), how_to_read(study));
+    return text + "\nNothing has been run yet.\n";
+  text += fmt::format("\n## Results\n\n{}\n{}", to_markdown(result_table(study, list)), how_to_read(study));
   text += fmt::format("\n## What the comparisons say\n\n{}", outcome_sentences(study, list));
   text += fmt::format("\n## Runs\n\n{}", to_markdown(run_table(rows)));
   text += fmt::format("\n## Where the numbers come from\n\n{}", to_markdown(provenance(rows)));

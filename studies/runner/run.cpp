@@ -37,7 +37,7 @@ Attempt attempt(const RunOrder& order) {
   options.log = order.log;
   options.wall_limit = order.wall_limit;
   for (const char* threads : {"OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "DEAL_II_NUM_THREADS"})
-    options.environment[threads] = "1";
+    options.environment.emplace(threads, "1");
   const auto start = WallClock::now();
   Attempt result;
   result.child =
