@@ -40,29 +40,63 @@ ElementSize::ElementSize(const pfv::Packing& packing, double mesh_size)
     cells_[a] = std::clamp(static_cast<int>(packing.box.size()[a] / spacing), 1, 64);
     cell_size_[a] = packing.box.size()[a] / cells_[a];
   }
-  const double half_diagonal = cell_size_.norm() / 2;
-  std::vector<double> distances(surfaces_.size());
+  std::vector<std::vector<int>> centred(static_cast<std::size_t>(cells_[0] * cells_[1] * cells_[2]));
+  double largest_radius = 0;
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    centred[place(cell_of(surfaces_[i].centre))].push_back(static_cast<int>(i));
+    largest_radius = std::max(largest_radius, surfaces_[i].radius);
+  }
+  cell_surfaces_.reserve(centred.size());
   for (int z = 0; z < cells_[2]; ++z)
     for (int y = 0; y < cells_[1]; ++y)
-      for (int x = 0; x < cells_[0]; ++x) {
-        const pfv::Vec3 middle = lower_ + cell_size_.cwiseProduct(pfv::Vec3(x + 0.5, y + 0.5, z + 0.5));
-        std::ranges::transform(surfaces_, distances.begin(),
-                               [&](const pfv::Sphere& surface) { return distance_to(surface, middle); });
-        std::vector<double> nearest = distances;
-        const std::size_t second = std::min<std::size_t>(1, nearest.size() - 1);
-        std::ranges::nth_element(nearest, nearest.begin() + static_cast<std::ptrdiff_t>(second));
-        std::vector<int>& kept = cell_surfaces_.emplace_back();
-        for (std::size_t s = 0; s < surfaces_.size(); ++s)
-          if (distances[s] <= nearest[second] + 2 * half_diagonal)
-            kept.push_back(static_cast<int>(s));
-      }
+      for (int x = 0; x < cells_[0]; ++x)
+        cell_surfaces_.push_back(near({x, y, z}, centred, largest_radius));
 }
 
-const std::vector<int>& ElementSize::candidates(const pfv::Vec3& point) const {
+std::array<int, 3> ElementSize::cell_of(const pfv::Vec3& point) const {
   std::array<int, 3> cell{};
   for (int a = 0; a < 3; ++a)
     cell[a] = std::clamp(static_cast<int>((point[a] - lower_[a]) / cell_size_[a]), 0, cells_[a] - 1);
-  return cell_surfaces_[static_cast<std::size_t>((cell[2] * cells_[1] + cell[1]) * cells_[0] + cell[0])];
+  return cell;
+}
+
+std::size_t ElementSize::place(const std::array<int, 3>& cell) const {
+  return static_cast<std::size_t>((cell[2] * cells_[1] + cell[1]) * cells_[0] + cell[0]);
+}
+
+/// Surfaces that can be among the two nearest of a point in the cell, found shell by shell of cells around it until the
+/// next shell is too far.
+std::vector<int> ElementSize::near(const std::array<int, 3>& cell, const std::vector<std::vector<int>>& centred,
+                                   double largest_radius) const {
+  const pfv::Vec3 middle = lower_ + cell_size_.cwiseProduct(pfv::Vec3(cell[0] + 0.5, cell[1] + 0.5, cell[2] + 0.5));
+  const int last_shell = *std::ranges::max_element(cells_);
+  std::vector<std::pair<double, int>> found; // distance from the middle, surface
+  double reach = std::numeric_limits<double>::infinity();
+  for (int shell = 0; shell <= last_shell; ++shell) {
+    if ((shell - 0.5) * cell_size_.minCoeff() - largest_radius > reach)
+      break;
+    std::array<int, 3> from{}, to{};
+    for (int a = 0; a < 3; ++a) {
+      from[a] = std::max(0, cell[a] - shell);
+      to[a] = std::min(cells_[a] - 1, cell[a] + shell);
+    }
+    for (int z = from[2]; z <= to[2]; ++z)
+      for (int y = from[1]; y <= to[1]; ++y)
+        for (int x = from[0]; x <= to[0]; ++x)
+          if (std::max({std::abs(x - cell[0]), std::abs(y - cell[1]), std::abs(z - cell[2])}) == shell)
+            for (const int s : centred[place({x, y, z})])
+              found.emplace_back(distance_to(surfaces_[static_cast<std::size_t>(s)], middle), s);
+    if (found.size() > 1) {
+      std::ranges::nth_element(found, found.begin() + 1);
+      reach = found[1].first + cell_size_.norm(); // both the point and the middle can be half a diagonal off
+    }
+  }
+  std::vector<int> kept;
+  for (const auto& [distance, s] : found)
+    if (distance <= reach)
+      kept.push_back(s);
+  std::ranges::sort(kept);
+  return kept;
 }
 
 double ElementSize::operator()(const pfv::Vec3& point) const {
@@ -71,7 +105,7 @@ double ElementSize::operator()(const pfv::Vec3& point) const {
     double radius = std::numeric_limits<double>::infinity();
   };
   Near first, second;
-  for (const int s : candidates(point)) {
+  for (const int s : cell_surfaces_[place(cell_of(point))]) {
     const Near here{distance_to(surfaces_[s], point), surfaces_[s].radius};
     if (here.distance < first.distance)
       second = std::exchange(first, here);

@@ -25,7 +25,10 @@ public:
   double operator()(const pfv::Vec3& point) const;
 
 private:
-  const std::vector<int>& candidates(const pfv::Vec3& point) const;
+  std::array<int, 3> cell_of(const pfv::Vec3& point) const;
+  std::size_t place(const std::array<int, 3>& cell) const;
+  std::vector<int> near(const std::array<int, 3>& cell, const std::vector<std::vector<int>>& centred,
+                        double largest_radius) const;
 
   double mesh_size_;
   pfv::Vec3 lower_;
