@@ -33,8 +33,9 @@ double distance_to(const pfv::Sphere& surface, const pfv::Vec3& point) {
 
 } // namespace
 
-ElementSize::ElementSize(const pfv::Packing& packing, double mesh_size)
-    : mesh_size_(mesh_size), lower_(packing.box.lower), surfaces_(with_mirror_images(packing)) {
+ElementSize::ElementSize(const pfv::Packing& packing, double mesh_size, double bridge_radius)
+    : mesh_size_(mesh_size), highest_floor_(std::min(contact, bridge_radius / mesh_size)), lower_(packing.box.lower),
+      surfaces_(with_mirror_images(packing)) {
   const double spacing = std::cbrt(packing.box.volume() / (8.0 * static_cast<double>(packing.spheres.size())));
   for (int a = 0; a < 3; ++a) {
     cells_[a] = std::clamp(static_cast<int>(packing.box.size()[a] / spacing), 1, 64);
@@ -64,8 +65,8 @@ std::size_t ElementSize::place(const std::array<int, 3>& cell) const {
   return static_cast<std::size_t>((cell[2] * cells_[1] + cell[1]) * cells_[0] + cell[0]);
 }
 
-/// Surfaces that can be among the two nearest of a point in the cell, found shell by shell of cells around it until the
-/// next shell is too far.
+/// Surfaces that can be among the three nearest of a point in the cell, found shell by shell of cells around it until
+/// the next shell is too far.
 std::vector<int> ElementSize::near(const std::array<int, 3>& cell, const std::vector<std::vector<int>>& centred,
                                    double largest_radius) const {
   const pfv::Vec3 middle = lower_ + cell_size_.cwiseProduct(pfv::Vec3(cell[0] + 0.5, cell[1] + 0.5, cell[2] + 0.5));
@@ -86,9 +87,9 @@ std::vector<int> ElementSize::near(const std::array<int, 3>& cell, const std::ve
           if (std::max({std::abs(x - cell[0]), std::abs(y - cell[1]), std::abs(z - cell[2])}) == shell)
             for (const int s : centred[place({x, y, z})])
               found.emplace_back(distance_to(surfaces_[static_cast<std::size_t>(s)], middle), s);
-    if (found.size() > 1) {
-      std::ranges::nth_element(found, found.begin() + 1);
-      reach = found[1].first + cell_size_.norm(); // both the point and the middle can be half a diagonal off
+    if (found.size() > 2) {
+      std::ranges::nth_element(found, found.begin() + 2);
+      reach = found[2].first + cell_size_.norm(); // both the point and the middle can be half a diagonal off
     }
   }
   std::vector<int> kept;
@@ -104,18 +105,19 @@ double ElementSize::operator()(const pfv::Vec3& point) const {
     double distance = std::numeric_limits<double>::infinity();
     double radius = std::numeric_limits<double>::infinity();
   };
-  Near first, second;
+  std::array<Near, 3> nearest; // in order
   for (const int s : cell_surfaces_[place(cell_of(point))]) {
-    const Near here{distance_to(surfaces_[s], point), surfaces_[s].radius};
-    if (here.distance < first.distance)
-      second = std::exchange(first, here);
-    else if (here.distance < second.distance)
-      second = here;
+    Near here{distance_to(surfaces_[s], point), surfaces_[s].radius};
+    for (Near& other : nearest)
+      if (here.distance < other.distance)
+        std::swap(here, other);
   }
+  const auto& [first, second, third] = nearest;
+  const double radius = std::min(first.radius, second.radius);
   const double cap =
       std::min(largest * first.radius + growth * first.distance, largest * second.radius + growth * second.distance);
-  const double floor = smallest * std::min(first.radius, second.radius);
-  return mesh_size_ * std::min(cap, std::max(floor, gap_fraction * (first.distance + second.distance)));
+  const double floor = std::min(std::max(fraction * third.distance, smallest * radius), highest_floor_ * radius);
+  return mesh_size_ * std::min(cap, std::max(floor, fraction * (first.distance + second.distance)));
 }
 
 } // namespace meshing

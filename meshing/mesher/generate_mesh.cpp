@@ -100,7 +100,7 @@ meshing::MeshQuality generate_mesh(const pfv::Packing& packing, double mesh_size
                                    const std::string& file) {
   set_options();
   const auto geometry = build_void(packing, meshing::contact_bridges(packing, bridge_radius));
-  const meshing::ElementSize size(packing, mesh_size);
+  const meshing::ElementSize size(packing, mesh_size, bridge_radius);
   gmsh::model::mesh::setSizeCallback([&](int, int, double x, double y, double z) { return size(pfv::Vec3(x, y, z)); });
   gmsh::model::mesh::generate(3);
 

@@ -8,7 +8,7 @@
 namespace mesher {
 
 /// Part of what meshes are cached by: raised whenever the same packing and settings give another mesh.
-inline constexpr int version = 2;
+inline constexpr int version = 3;
 
 /// Meshes the void of a packing with linear tetrahedra and writes it as ASCII MSH 2.2.
 /// Throws std::runtime_error and gmsh's own exceptions (std::string, int).
