@@ -1,0 +1,56 @@
+#include "reference/pore_volumes/pore_volumes.hpp"
+
+#include "pfv/problem/generate.hpp"
+#include "support/packings.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace reference;
+using pfv::testing::flow_through;
+using pfv::testing::packing_from;
+
+namespace {
+
+Answer answer_of(const Method& method, const pfv::Case& problem) {
+  pfv::Clock clock;
+  return method.solve(problem, {}, clock);
+}
+
+TEST(PoreVolumes, AnswersWhatTheModelSays) {
+  const auto problem = flow_through(packing_from("g200.txt"), pfv::Axis::y);
+  const auto flow = pfv::testing::solved(problem);
+  const Answer answer = answer_of(*make_pore_volumes(), problem);
+  EXPECT_DOUBLE_EQ(*answer.permeability, *flow.permeability);
+  EXPECT_EQ(answer.unknowns, flow.system.unknowns());
+  EXPECT_EQ(answer.face_flux, flow.face_flux);
+  ASSERT_EQ(answer.sphere_forces->size(), 200u);
+  EXPECT_EQ((*answer.sphere_forces)[7], flow.forces.of_flow(7));
+  EXPECT_EQ(answer.counts.at("pores"), 1101);
+  EXPECT_EQ(answer.stages.size(), 7u);
+}
+
+TEST(PoreVolumes, BothSolversAgree) {
+  const auto problem = flow_through(packing_from("bcc9.txt"));
+  const auto direct = make_pore_volumes(), relaxed = make_pore_volumes_sor();
+  EXPECT_NE(direct->name(), relaxed->name());
+  EXPECT_NEAR(*answer_of(*relaxed, problem).permeability / *answer_of(*direct, problem).permeability, 1, 1e-9);
+}
+
+TEST(PoreVolumes, CoversOnlyWhatHasAPressure) {
+  auto problem = flow_through(packing_from("bcc9.txt"));
+  const auto method = make_pore_volumes();
+  EXPECT_FALSE(method->not_covered(problem));
+  problem.faces = {};
+  EXPECT_TRUE(method->not_covered(problem));
+}
+
+TEST(PoreVolumes, KnowsItsSizeBeforehand) {
+  const auto method = make_pore_volumes();
+  for (const char* file : {"g200.txt", "g2000.txt"}) {
+    const auto problem = flow_through(packing_from(file));
+    EXPECT_NEAR(method->estimate(problem, {}).unknowns / static_cast<double>(answer_of(*method, problem).unknowns), 1,
+                0.2);
+  }
+}
+
+} // namespace
