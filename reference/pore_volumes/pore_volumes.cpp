@@ -1,8 +1,10 @@
 #include "reference/pore_volumes/pore_volumes.hpp"
 
 #include "pfv/flow/steady_flow.hpp"
+#include "reference/cut_spheres.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace reference {
@@ -47,6 +49,7 @@ public:
     for (std::size_t k = 0; k < problem.packing.spheres.size(); ++k)
       answer.sphere_forces->push_back(flow.forces.of_flow(k));
     answer.wall_forces = flow.forces.on_face;
+    give_normal_parts_to_slip_walls(problem, *answer.sphere_forces, *answer.wall_forces);
     answer.stages = clock.stages();
     answer.counts = {{"pores", flow.network.pores.size()},
                      {"contracted_throats", flow.system.contracted_throats},
