@@ -1,8 +1,10 @@
 #include "meshing/linear_mesh.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <stdexcept>
 
 namespace meshing {
@@ -11,7 +13,32 @@ namespace {
 
 constexpr int triangle_type = 2, tetrahedron_type = 4; // of gmsh
 
+std::array<int, 3> sorted(std::array<int, 3> nodes) {
+  std::ranges::sort(nodes);
+  return nodes;
+}
+
 } // namespace
+
+void check(const LinearMesh& mesh) {
+  std::map<std::array<int, 3>, int> sides; // how many of the two sides of a face something lies on
+  for (const auto& [a, b, c, d] : mesh.tetrahedra) {
+    const pfv::Vec3& origin = mesh.nodes[a];
+    if ((mesh.nodes[b] - origin).dot((mesh.nodes[c] - origin).cross(mesh.nodes[d] - origin)) <= 0)
+      throw std::runtime_error(
+          fmt::format("a tetrahedron at ({:g}, {:g}, {:g}) is flat or inside out", origin.x(), origin.y(), origin.z()));
+    for (const auto& face : {std::array{b, c, d}, std::array{a, c, d}, std::array{a, b, d}, std::array{a, b, c}})
+      ++sides[sorted(face)];
+  }
+  for (const auto& triangle : mesh.triangles)
+    ++sides[sorted(triangle.nodes)];
+  for (const auto& [face, count] : sides)
+    if (count != 2) {
+      const pfv::Vec3& node = mesh.nodes[face[0]];
+      throw std::runtime_error(
+          fmt::format("a face at ({:g}, {:g}, {:g}) has {} sides in the mesh", node.x(), node.y(), node.z(), count));
+    }
+}
 
 void write_msh(const LinearMesh& mesh, const std::filesystem::path& file) {
   fmt::memory_buffer text;

@@ -6,8 +6,11 @@
 #include "meshing/linear_mesh.hpp"
 #include "meshing/measure_mesh.hpp"
 #include "meshing/mesher/void_geometry.hpp"
+#include "pfv/problem/face.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <fmt/format.h>
 #include <gmsh.h>
 #include <map>
 #include <stdexcept>
@@ -94,24 +97,75 @@ meshing::LinearMesh mesh_of(const VoidGeometry& geometry) {
   return mesh;
 }
 
+struct Result {
+  meshing::LinearMesh mesh;
+  meshing::MeshQuality quality;
+};
+
+/// The packing in units of its mean radius, its box at the origin: OpenCASCADE's tolerances are lengths.
+pfv::Packing in_radii(const pfv::Packing& packing, double radius) {
+  pfv::Packing result;
+  result.box = {pfv::Vec3::Zero(), packing.box.size() / radius};
+  for (const auto& [centre, r] : packing.spheres)
+    result.spheres.push_back({(centre - packing.box.lower) / radius, r / radius});
+  return result;
+}
+
+/// Back to metres, with the nodes on faces of the box exactly there.
+void place_in_box(meshing::LinearMesh& mesh, const pfv::Box& box, double radius) {
+  for (pfv::Vec3& node : mesh.nodes)
+    node = box.lower + radius * node;
+  for (const auto& [nodes, surface] : mesh.triangles)
+    for (const pfv::Face face : pfv::all_faces)
+      if (mesh.surfaces[static_cast<std::size_t>(surface)] == pfv::face_names[pfv::index(face)])
+        for (const int node : nodes) {
+          const int axis = pfv::index(pfv::axis_of(face));
+          mesh.nodes[static_cast<std::size_t>(node)][axis] = (pfv::is_upper(face) ? box.upper : box.lower)[axis];
+        }
+}
+
+Result mesh_once(const pfv::Packing& packing, double mesh_size, double bridge_radius, std::uint64_t attempt) {
+  double radius = 0; // mean
+  for (const pfv::Sphere& sphere : packing.spheres)
+    radius += sphere.radius / static_cast<double>(packing.spheres.size());
+  const pfv::Packing scaled = in_radii(packing, radius);
+  const auto geometry = build_void(scaled, meshing::contact_bridges(scaled, bridge_radius), attempt);
+  const meshing::ElementSize size(scaled, mesh_size, bridge_radius);
+  gmsh::model::mesh::setSizeCallback([&](int, int, double x, double y, double z) { return size(pfv::Vec3(x, y, z)); });
+  gmsh::model::mesh::generate(3);
+
+  Result result{meshing::without_dented_cells(mesh_of(geometry)), {}};
+  place_in_box(result.mesh, packing.box, radius);
+  meshing::check(result.mesh);
+  result.quality = meshing::measure_mesh(result.mesh, packing);
+  result.quality.parts = geometry.volumes.size();
+  result.quality.enclosed_parts = geometry.enclosed;
+  return result;
+}
+
 } // namespace
 
 meshing::MeshQuality generate_mesh(const pfv::Packing& packing, double mesh_size, double bridge_radius,
                                    const std::string& file) {
   set_options();
-  const auto geometry = build_void(packing, meshing::contact_bridges(packing, bridge_radius));
-  const meshing::ElementSize size(packing, mesh_size, bridge_radius);
-  gmsh::model::mesh::setSizeCallback([&](int, int, double x, double y, double z) { return size(pfv::Vec3(x, y, z)); });
-  gmsh::model::mesh::generate(3);
-
-  const auto mesh = meshing::without_dented_cells(mesh_of(geometry));
-  auto quality = meshing::measure_mesh(mesh, packing);
-  quality.parts = geometry.volumes.size();
-  quality.enclosed_parts = geometry.enclosed;
-  if (quality.worst_quality <= 0)
-    throw std::runtime_error("gmsh made a tetrahedron that is flat or inside out");
-  meshing::write_msh(mesh, file);
-  return quality;
+  constexpr std::uint64_t attempts = 8;
+  for (std::uint64_t attempt = 1;; ++attempt) {
+    std::string reason;
+    try {
+      const auto [mesh, quality] = mesh_once(packing, mesh_size, bridge_radius, attempt);
+      meshing::write_msh(mesh, file);
+      return quality;
+    } catch (const std::exception& error) {
+      reason = error.what();
+    } catch (const std::string& message) { // what gmsh throws
+      reason = "gmsh: " + message;
+    } catch (int code) { // what gmsh throws elsewhere
+      reason = fmt::format("gmsh: error {}", code);
+    }
+    if (attempt == attempts)
+      throw std::runtime_error(fmt::format("{} (the last of {} attempts)", reason, attempts));
+    fmt::print("attempt {}: {}\n", attempt, reason);
+  }
 }
 
 } // namespace mesher

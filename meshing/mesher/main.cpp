@@ -55,10 +55,6 @@ int main(int argc, char** argv) {
     return 0;
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
-  } catch (const std::string& message) { // what gmsh throws
-    fmt::print(stderr, "gmsh: {}\n", message);
-  } catch (int code) { // what gmsh throws elsewhere
-    fmt::print(stderr, "gmsh: error {}\n", code);
   }
   return 1;
 }

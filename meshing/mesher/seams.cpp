@@ -35,7 +35,7 @@ Quaterniond random_turn(Uniform& uniform) {
           std::sqrt(u) * std::cos(w)};
 }
 
-/// A circle on a sphere: the directions at `angle` from `axis`.
+/// A circle on a sphere: the directions at `angle` from `axis`; a point when that is zero.
 struct Circle {
   Vec3 axis;
   double angle;
@@ -72,6 +72,31 @@ void add_where_bridge_leaves(const pfv::Sphere& sphere, const meshing::Bridge& b
     circles.push_back({-along, std::asin(bridge.radius / sphere.radius)});
 }
 
+/// Corners where two circles of a sphere meet inside the box.
+void add_corners(const pfv::Sphere& sphere, const pfv::Box& box, Circles& circles) {
+  const std::size_t count = circles.size();
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Vec3 &a = circles[i].axis, &b = circles[j].axis;
+      const Vec3 across = a.cross(b);
+      const double sine_squared = across.squaredNorm();
+      if (sine_squared < 1e-12)
+        continue;
+      const double cosine = a.dot(b), in_a = std::cos(circles[i].angle), in_b = std::cos(circles[j].angle);
+      const Vec3 within = ((in_a - in_b * cosine) * a + (in_b - in_a * cosine) * b) / sine_squared;
+      const double rest = (1 - within.squaredNorm()) / sine_squared;
+      if (rest <= 0)
+        continue;
+      for (const double side : {-1.0, 1.0}) {
+        const Vec3 corner = within + side * std::sqrt(rest) * across;
+        const Vec3 point = sphere.centre + sphere.radius * corner;
+        const double tolerance = 1e-6 * sphere.radius;
+        if ((point - box.lower).minCoeff() > -tolerance && (box.upper - point).minCoeff() > -tolerance)
+          circles.push_back({corner, 0});
+      }
+    }
+}
+
 std::vector<Circles> circles_on_spheres(const pfv::Packing& packing, const std::vector<meshing::Bridge>& bridges) {
   const auto& spheres = packing.spheres;
   std::vector<Circles> circles(spheres.size());
@@ -82,6 +107,7 @@ std::vector<Circles> circles_on_spheres(const pfv::Packing& packing, const std::
         add_where_spheres_cut(spheres[k], spheres[other], circles[k]);
     for (const meshing::Bridge& bridge : bridges)
       add_where_bridge_leaves(spheres[k], bridge, circles[k]);
+    add_corners(spheres[k], packing.box, circles[k]);
   }
   return circles;
 }
@@ -92,7 +118,7 @@ double clearance(const Quaterniond& turn, const Circle& circle) {
   const Vec3 local = turn.conjugate() * circle.axis;
   const double to_pole = std::acos(std::clamp(std::abs(local.z()), 0.0, 1.0));
   const double to_seam = local.x() >= 0 ? std::asin(std::clamp(std::abs(local.y()), 0.0, 1.0)) : to_pole;
-  const double size = std::min(0.2, std::min(circle.angle, pi - circle.angle));
+  const double size = circle.angle == 0 ? 0.2 : std::min({0.2, circle.angle, pi - circle.angle});
   return std::min({std::abs(to_seam - circle.angle), std::abs(to_pole - circle.angle),
                    std::abs(pi - to_pole - circle.angle)}) /
          std::max(size, 1e-3);

@@ -98,13 +98,17 @@ void check_volume(double volume, const pfv::Packing& packing, const std::vector<
   double allowance = 0;
   for (const meshing::Bridge& bridge : bridges)
     allowance += 0.1 * std::numbers::pi * bridge.radius * bridge.radius * (bridge.to - bridge.from).norm();
-  const double round_off = 1e-5 * packing.box.volume();
+  const double round_off = 1e-6 * packing.box.volume();
   if (volume > exact + round_off || volume < exact - allowance - round_off)
     throw std::runtime_error(fmt::format("OpenCASCADE left a volume of {:g} where the void has {:g}", volume, exact));
 }
 
-VoidGeometry try_to_build(const pfv::Packing& packing, const std::vector<meshing::Bridge>& bridges,
-                          std::uint64_t attempt) {
+} // namespace
+
+VoidGeometry build_void(const pfv::Packing& packing, const std::vector<meshing::Bridge>& bridges,
+                        std::uint64_t attempt) {
+  gmsh::clear();
+  gmsh::model::add("void");
   const Turns turns = turns_of_seams(packing, bridges, attempt);
   const pfv::Vec3& corner = packing.box.lower;
   const pfv::Vec3 size = packing.box.size();
@@ -132,28 +136,6 @@ VoidGeometry try_to_build(const pfv::Packing& packing, const std::vector<meshing
   if (result.volumes.empty())
     throw std::runtime_error("no volume of fluid touches a face of the box");
   return result;
-}
-
-} // namespace
-
-VoidGeometry build_void(const pfv::Packing& packing, const std::vector<meshing::Bridge>& bridges) {
-  constexpr std::uint64_t attempts = 8;
-  for (std::uint64_t attempt = 1;; ++attempt) {
-    gmsh::clear();
-    gmsh::model::add("void");
-    std::string reason;
-    try {
-      return try_to_build(packing, bridges, attempt);
-    } catch (const std::exception& error) {
-      reason = error.what();
-    } catch (const std::string& message) { // what gmsh throws
-      reason = message;
-    }
-    reason = fmt::format("attempt {} at the geometry: {}", attempt, reason);
-    if (attempt == attempts)
-      throw std::runtime_error(reason);
-    gmsh::logger::write(reason, "warning");
-  }
 }
 
 } // namespace mesher

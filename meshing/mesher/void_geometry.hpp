@@ -4,6 +4,7 @@
 #include "pfv/problem/packing.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -18,9 +19,9 @@ struct VoidGeometry {
 };
 
 /// Builds box minus spheres minus bridges in a new gmsh model with OpenCASCADE and names every surface by the sphere,
-/// cylinder or plane it lies on. When a boolean fails, its volume is wrong, or a surface lies on none or on two, it
-/// tries again with the spheres turned another way. Throws std::runtime_error with the last reason when that does not
-/// help.
-VoidGeometry build_void(const pfv::Packing& packing, const std::vector<meshing::Bridge>& bridges);
+/// cylinder or plane it lies on. Each `attempt` turns the spheres another way. Throws std::runtime_error when a boolean
+/// fails, its volume is wrong, or a surface lies on none or on two, and gmsh's own exceptions (std::string, int).
+VoidGeometry build_void(const pfv::Packing& packing, const std::vector<meshing::Bridge>& bridges,
+                        std::uint64_t attempt);
 
 } // namespace mesher
