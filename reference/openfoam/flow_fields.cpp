@@ -2,7 +2,6 @@
 
 #include "reference/openfoam/foam_reader.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -10,28 +9,18 @@ namespace reference::openfoam {
 
 namespace {
 
-// The values that a field has on every patch, by face of the mesh. Patches come in the order of the mesh.
-std::vector<double> read_patches(const std::filesystem::path& file, const FoamMesh& mesh) {
-  FoamReader in(file);
-  in.skip_past("boundaryField");
-  std::vector<double> values(mesh.faces.size(), 0);
-  for (const MeshPatch& patch : mesh.patches) {
-    in.skip_past("\n    " + patch.name + "\n");
-    in.skip_past("\n        value ");
-    std::ranges::copy(in.scalar_field(patch.faces), values.begin() + static_cast<std::ptrdiff_t>(patch.first));
-  }
-  return values;
-}
-
-std::array<double, 6> sum_by_face(const std::vector<double>& flux, const FoamMesh& mesh) {
-  std::array<double, 6> sums{};
+std::array<double, 6> read_face_flux(const std::filesystem::path& file, const FoamMesh& mesh) {
+  std::array<double, 6> flux{};
   for (const MeshPatch& patch : mesh.patches)
     if (const auto* face = std::get_if<pfv::Face>(&patch.part)) {
-      const auto first = flux.begin() + static_cast<std::ptrdiff_t>(patch.first);
-      sums[static_cast<std::size_t>(pfv::index(*face))] =
-          std::accumulate(first, first + static_cast<std::ptrdiff_t>(patch.faces), 0.0);
+      FoamReader in(file);
+      in.skip_past("boundaryField");
+      in.skip_past("\n    " + patch.name + "\n");
+      in.skip_past("value");
+      const auto values = in.scalar_field(patch.faces);
+      flux[static_cast<std::size_t>(pfv::index(*face))] = std::accumulate(values.begin(), values.end(), 0.0);
     }
-  return sums;
+  return flux;
 }
 
 } // namespace
@@ -39,11 +28,13 @@ std::array<double, 6> sum_by_face(const std::vector<double>& flux, const FoamMes
 FlowFields read_fields(const std::filesystem::path& folder, int iteration, const FoamMesh& mesh) {
   const auto written = folder / std::to_string(iteration);
   FlowFields fields;
-  fields.face_pressure = read_patches(written / "p", mesh);
+  FoamReader pressure(written / "p");
+  pressure.skip_past("internalField");
+  fields.pressure = pressure.scalar_field(mesh.cells());
   FoamReader velocity(written / "U");
   velocity.skip_past("internalField");
   fields.velocity = velocity.vector_field(mesh.cells());
-  fields.face_flux = sum_by_face(read_patches(written / "phi", mesh), mesh);
+  fields.face_flux = read_face_flux(written / "phi", mesh);
   return fields;
 }
 

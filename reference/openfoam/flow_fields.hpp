@@ -11,7 +11,7 @@ namespace reference::openfoam {
 
 /// What simpleFoam wrote last, in the units it was solved in.
 struct FlowFields {
-  std::vector<double> face_pressure; // by face of the mesh, zero on interior faces
+  std::vector<double> pressure;      // by cell
   std::vector<pfv::Vec3> velocity;   // by cell
   std::array<double, 6> face_flux{}; // by pfv::Face, out of the box
 };

@@ -3,6 +3,7 @@
 #include "pfv/problem/error.hpp"
 #include "reference/openfoam/temporary_folder.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <fmt/format.h>
@@ -38,6 +39,19 @@ meshing::ChildOptions options_in(const std::filesystem::path& folder, const std:
   options.log = folder / ("log." + program);
   options.environment = {{"WM_PROJECT_DIR", project_folder().string()}, {"PWD", folder.string()}};
   return options;
+}
+
+// The end of a log, without the call stack that a program which diverged prints last.
+std::string last_words(const std::filesystem::path& log) {
+  std::ifstream in(log);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);)
+    if (!line.empty() && line.front() != '#')
+      lines.push_back(line);
+  std::string words;
+  for (std::size_t k = lines.size() - std::min<std::size_t>(lines.size(), 4); k < lines.size(); ++k)
+    words += (words.empty() ? "" : " | ") + lines[k];
+  return words;
 }
 
 std::string ask_version() {
@@ -79,8 +93,8 @@ meshing::ChildResult run_program(const std::filesystem::path& folder, const std:
   options.wall_limit = wall_limit;
   const auto result = meshing::run_child(arguments, options);
   if (!result.succeeded())
-    throw pfv::SolveError(fmt::format("{}: {}; its last words: {}", arguments.front(), result.how_it_ended(),
-                                      meshing::last_lines(options.log)));
+    throw pfv::SolveError(
+        fmt::format("{}: {}; its last words: {}", arguments.front(), result.how_it_ended(), last_words(options.log)));
   return result;
 }
 

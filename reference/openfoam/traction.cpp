@@ -9,7 +9,7 @@ Traction on_wall(const FoamMesh& mesh, const MeshPatch& patch, const FlowFields&
     const pfv::Vec3 area = mesh.area(face);
     const pfv::Vec3 normal = area.normalized();
     const double distance = normal.dot(mesh.centre(face) - mesh.cell_centres[cell]);
-    const double pressure = units.lower_pressure + units.pressure * fields.face_pressure[face];
+    const double pressure = units.lower_pressure + units.pressure * fields.pressure[cell];
     const pfv::Vec3 shear = Units::viscosity * units.pressure * fields.velocity[cell] / distance;
     const double size = area.norm() * units.length * units.length;
     sum.force += size * (pressure * normal + shear);
@@ -28,7 +28,7 @@ pfv::Vec3 on_slip_wall(const FoamMesh& mesh, const MeshPatch& patch, const FlowF
     const pfv::Vec3 area = mesh.area(face);
     const pfv::Vec3 normal = area.normalized();
     const double distance = normal.dot(mesh.centre(face) - mesh.cell_centres[cell]);
-    const double pressure = units.lower_pressure + units.pressure * fields.face_pressure[face];
+    const double pressure = units.lower_pressure + units.pressure * fields.pressure[cell];
     const double strain = Units::viscosity * units.pressure * fields.velocity[cell].dot(normal) / distance;
     force += area * units.length * units.length * (pressure + 2 * strain);
   }

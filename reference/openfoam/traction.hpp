@@ -11,8 +11,8 @@ struct Traction {
   double mean_pressure = 0;            // Pa
 };
 
-/// Force p n - mu du/dn of the fluid on a no-slip patch, n out of the fluid. As in the discrete momentum balance, the
-/// velocity falls to zero over the cell's distance.
+/// Force p n - mu du/dn of the fluid on a no-slip patch, n out of the fluid. As in the discrete momentum balance, a
+/// face has the pressure of its cell, and the velocity falls to zero over the cell's distance.
 Traction on_wall(const FoamMesh& mesh, const MeshPatch& patch, const FlowFields& fields, const Units& units);
 
 /// Force (p - 2 mu du_n/dn) n of the fluid on a slip wall, in N.
