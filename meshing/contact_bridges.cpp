@@ -23,7 +23,8 @@ bool needs_bridge(double distance, double radius_1, double radius_2, double brid
   if (gap >= 0)
     return true;
   const double offset = (distance * distance + radius_1 * radius_1 - radius_2 * radius_2) / (2 * distance);
-  return radius_1 * radius_1 - offset * offset < bridge * bridge;
+  const bool between_centres = offset > 0 && offset < distance; // not where a small sphere pokes out of a large one
+  return between_centres && radius_1 * radius_1 - offset * offset < bridge * bridge;
 }
 
 } // namespace

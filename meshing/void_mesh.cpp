@@ -105,7 +105,13 @@ VoidMesh void_mesh(const pfv::Case& problem, const MeshSettings& settings, const
   const std::string key = mesh_key(problem.packing, settings, mesher.version);
   if (auto known = cache.find(key))
     return *known;
-  return cache.add(key, [&](const fs::path& folder) { return make_mesh(mesher, problem.packing, settings, folder); });
+  try {
+    return cache.add(key, [&](const fs::path& folder) { return make_mesh(mesher, problem.packing, settings, folder); });
+  } catch (const pfv::SolveError&) {
+    throw;
+  } catch (const std::exception& error) { // of the file system, or of a mesher that did not write what it should
+    throw pfv::SolveError(fmt::format("meshing the void failed: {}", error.what()));
+  }
 }
 
 std::optional<std::string> mesher_unavailable() {

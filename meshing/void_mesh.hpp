@@ -33,7 +33,9 @@ struct VoidMesh {
 /// pfv::SolveError with gmsh's own last words when it fails and with the reason when there is no mesher.
 VoidMesh void_mesh(const pfv::Case& problem, const MeshSettings& settings, const std::filesystem::path& cache_folder);
 
-/// Why meshes cannot be made on this machine or build; nothing when they can.
+/// Why meshes cannot be made on this machine or build; nothing when they can. The mesher is the program `$PFV_MESHER`,
+/// else
+/// `../libexec/mesh_void` beside the running program's folder, else where it was built.
 std::optional<std::string> mesher_unavailable();
 
 /// "gmsh 4.8.4, mesher 1", part of the key; empty when it is unavailable.

@@ -1,9 +1,12 @@
 #include "meshing/child_process.hpp"
 
+#include "support/temporary_folder.hpp"
+
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <sstream>
@@ -36,18 +39,12 @@ bool ends(pid_t process) {
 
 class ChildProcess : public testing::Test {
 protected:
-  ChildProcess() {
-    std::string name = std::filesystem::temp_directory_path() / "child_process_XXXXXX";
-    folder_ = mkdtemp(name.data());
-  }
-  ~ChildProcess() override { std::filesystem::remove_all(folder_); }
-
   /// Runs a line of shell; its output goes to log().
   ChildResult shell(const std::string& script, ChildOptions options = {}) const {
     options.log = log();
     return run_child({"/bin/sh", "-c", script}, options);
   }
-  std::filesystem::path log() const { return folder_ / "log"; }
+  std::filesystem::path log() const { return folder_.path() / "log"; }
   std::string output() const {
     std::ifstream in(log());
     std::ostringstream text;
@@ -55,7 +52,7 @@ protected:
     return text.str();
   }
 
-  std::filesystem::path folder_;
+  pfv::testing::TemporaryFolder folder_;
 };
 
 TEST_F(ChildProcess, ReportsTheExitCode) {
@@ -119,8 +116,8 @@ TEST_F(ChildProcess, AddsToTheEnvironment) {
 }
 
 TEST_F(ChildProcess, RunsInItsFolderWithBothStreamsInTheLog) {
-  shell("pwd -P; echo to errors >&2", {.working_folder = folder_});
-  EXPECT_EQ(output(), std::filesystem::canonical(folder_).string() + "\nto errors\n");
+  shell("pwd -P; echo to errors >&2", {.working_folder = folder_.path()});
+  EXPECT_EQ(output(), std::filesystem::canonical(folder_.path()).string() + "\nto errors\n");
 }
 
 TEST_F(ChildProcess, HasNoInput) {
@@ -141,8 +138,8 @@ TEST_F(ChildProcess, ThrowsWhenTheProgramCannotBeStarted) {
     EXPECT_EQ(error.code().value(), ENOENT);
     EXPECT_NE(std::string(error.what()).find("/no/such/program"), std::string::npos);
   }
-  EXPECT_THROW(shell("true", {.working_folder = folder_ / "none"}), std::system_error);
-  EXPECT_THROW(run_child({"true"}, {.log = folder_ / "none" / "log"}), std::system_error);
+  EXPECT_THROW(shell("true", {.working_folder = folder_.path() / "none"}), std::system_error);
+  EXPECT_THROW(run_child({"true"}, {.log = folder_.path() / "none" / "log"}), std::system_error);
   EXPECT_THROW(run_child({}), std::system_error);
 }
 
@@ -173,7 +170,7 @@ TEST_F(ChildProcess, LastLinesSkipsEmptyOnes) {
   shell("printf 'one\\ntwo\\n\\nthree \\n\\nfour\\n\\n'");
   EXPECT_EQ(last_lines(log()), "two | three | four");
   EXPECT_EQ(last_lines(log(), 1), "four");
-  EXPECT_EQ(last_lines(folder_ / "none"), "");
+  EXPECT_EQ(last_lines(folder_.path() / "none"), "");
 }
 
 } // namespace
