@@ -39,8 +39,8 @@ void add_pressure_on_discs(const pfv::Case& problem, std::vector<pfv::Vec3>& on_
     if (!open)
       continue;
     for (std::size_t k = 0; k < on_spheres.size(); ++k) {
-      const pfv::Vec3 push = open->value * cut_area(problem.packing.spheres[k], face, problem.packing.box) *
-                             pfv::outward_normal(face);
+      const pfv::Vec3 push =
+          open->value * cut_area(problem.packing.spheres[k], face, problem.packing.box) * pfv::outward_normal(face);
       on_spheres[k] -= push;
       on_faces[slot(face)] += push;
     }

@@ -1,6 +1,5 @@
 #include "reference/stokes_fem/forces.hpp"
 
-#include "reference/cut_spheres.hpp"
 #include "reference/stokes_fem/bridge_gaps.hpp"
 
 namespace reference::stokes_fem {
@@ -62,8 +61,6 @@ Forces fluid_forces(const Discretisation& discretisation, const StokesSystem& sy
   for (std::size_t label = 0; label < boundary.labels.size(); ++label)
     std::visit(AddTo{forces, problem, bridge_radius, transfer[label] - residual[label], pressure[label]},
                boundary.labels[label]);
-  add_pressure_on_discs(problem, forces.sphere, forces.wall);
-  give_normal_parts_to_slip_walls(problem, forces.sphere, forces.wall);
   return forces;
 }
 

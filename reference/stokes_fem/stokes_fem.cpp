@@ -2,6 +2,7 @@
 
 #include "meshing/void_mesh.hpp"
 #include "pfv/problem/error.hpp"
+#include "reference/cut_spheres.hpp"
 #include "reference/stokes_fem/discretise.hpp"
 #include "reference/stokes_fem/estimate_cost.hpp"
 #include "reference/stokes_fem/flow_on_mesh.hpp"
@@ -62,6 +63,8 @@ public:
     pfv::Clock own;
     own.add("mesh", mesh.cpu_seconds);
     Answer answer = stokes_fem::flow_on_mesh(problem, mesh.file, settings.bridge_radius, own);
+    add_pressure_on_discs(problem, *answer.sphere_forces, *answer.wall_forces);
+    give_normal_parts_to_slip_walls(problem, *answer.sphere_forces, *answer.wall_forces);
     for (const pfv::Stage& stage : own.stages())
       clock.add(stage.name, stage.cpu_seconds);
     answer.method = name();
