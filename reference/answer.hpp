@@ -16,18 +16,18 @@ namespace reference {
 /// absent, never zero. SI units.
 struct Answer {
   std::string method;
-  double mesh_size = 1;                   // of the Resolution asked for; 1 for methods without a mesh
-  std::size_t unknowns = 0;               // degrees of freedom of the largest system solved
-  std::optional<double> permeability;     // m^2
-  std::array<double, 6> face_flux{};      // m^3/s by pfv::Face, positive out of the box
-  std::optional<double> porosity;         // of the geometry actually solved
+  double mesh_size = 1;               // of the Resolution asked for; 1 for methods without a mesh
+  std::size_t unknowns = 0;           // degrees of freedom of the largest system solved
+  std::optional<double> permeability; // m^2
+  std::array<double, 6> face_flux{};  // m^3/s by pfv::Face, positive out of the box
+  std::optional<double> porosity;     // of the geometry actually solved
   /// N, of the flow (piezometric pressure and viscous), no buoyancy. A sphere cut by a pressure face also bears that
   /// face's pressure on the disc cut out of it, so that between slip walls the forces add up to the pressure drop times
   /// the area of the box; one centred on a slip wall is half of a mirrored pair, with no force normal to the wall.
   std::optional<std::vector<pfv::Vec3>> sphere_forces;
-  std::optional<std::array<pfv::Vec3, 6>> wall_forces;      // N, by pfv::Face, of the fluid on the face
-  std::vector<pfv::Stage> stages;         // CPU seconds by stage, once-per-mesh stages marked by name "mesh"
-  std::map<std::string, double> counts;   // remedies and checks: contracted_throats, bridges, iterations, flux_imbalance
+  std::optional<std::array<pfv::Vec3, 6>> wall_forces; // N, by pfv::Face, of the fluid on the face
+  std::vector<pfv::Stage> stages;       // CPU seconds by stage, once-per-mesh stages marked by name "mesh"
+  std::map<std::string, double> counts; // remedies and checks: contracted_throats, bridges, iterations, flux_imbalance
   std::map<std::string, std::string> notes; // versions, settings, anything a reader needs to judge the number
 };
 

@@ -31,8 +31,8 @@ public:
   virtual std::string name() const = 0;
   /// One line on what it is, for `study methods`.
   virtual std::string description() const = 0;
-  /// Of the programs outside this build it calls, as they name it themselves; empty when there are none. An answer stored
-  /// under another version is not taken for this one.
+  /// Of the programs outside this build it calls, as they name it themselves; empty when there are none. An answer
+  /// stored under another version is not taken for this one.
   virtual std::string version() const { return {}; }
   /// Why it cannot run on this machine or build; nothing when it can.
   virtual std::optional<std::string> unavailable() const { return std::nullopt; }

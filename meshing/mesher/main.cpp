@@ -41,7 +41,9 @@ void run(const Options& options) {
 
 #ifdef __SANITIZE_ADDRESS__
 /// gmsh and OpenCASCADE leak; what leaks here is still found.
-extern "C" const char* __lsan_default_suppressions() { return "leak:libgmsh\nleak:libTK\n"; }
+extern "C" const char* __lsan_default_suppressions() {
+  return "leak:libgmsh\nleak:libTK\n";
+}
 #endif
 
 int main(int argc, char** argv) {
