@@ -22,7 +22,7 @@ SteadyFlow solve_steady_flow(const Case& problem, const FlowOptions& options, Cl
   if (std::ranges::none_of(problem.faces, [](const auto& face) { return std::holds_alternative<Pressure>(face); }))
     throw InputError("no face has a pressure: at least one must, or the flow has no cause");
   SteadyFlow flow;
-  flow.network = build_pore_network(problem.packing, clock);
+  flow.network = build_pore_network(problem.packing, {}, clock);
   Conductances throat_conductances;
   {
     const auto timing = clock.stage("conductances");

@@ -41,6 +41,9 @@ inline Vec3 outward_normal(Face face) {
   return (is_upper(face) ? 1.0 : -1.0) * Vec3::Unit(index(axis_of(face)));
 }
 
+/// Along which axes the box repeats itself, by index(Axis).
+using PeriodicAxes = std::array<bool, 3>;
+
 /// Frictionless impermeable wall: u.n = 0 and no shear traction, so the wall is a plane of symmetry.
 struct SlipWall {
   bool operator==(const SlipWall&) const = default;
