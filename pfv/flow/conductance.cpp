@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace pfv {
 namespace {
@@ -12,6 +13,11 @@ constexpr double no_area = 1e-12; // of the mean fluid area
 double conductance(const HydraulicRadius& rule, const PoreNetwork::Throats& throats, std::size_t t, double viscosity) {
   const double radius = throats.void_volume[t] / throats.sphere_surface(t);
   return rule.alpha * throats.fluid_area[t] * radius * radius / (viscosity * throats.length[t]);
+}
+
+/// Hagen-Poiseuille in a round tube of a throat's section.
+double round_tube(double fluid_area, double length, double viscosity) {
+  return fluid_area * fluid_area / (8 * std::numbers::pi * viscosity * length);
 }
 
 double wall_factor(const MirrorWalls&, const std::array<Vertex, 3>&) {
@@ -55,6 +61,9 @@ Conductances conductances(const PoreNetwork& network, const Conductance& rule, c
           } else if (open) {
             result.values[t] = conductance(law, throats, t, viscosity) * wall_factor(wall, throats.vertices[t]);
             open_values.push_back(result.values[t]);
+          } else if (throats.fluid_area[t] > 0) {
+            result.values[t] = round_tube(throats.fluid_area[t], throats.length[t], viscosity);
+            ++result.rounded;
           } else {
             closed.push_back(t);
           }

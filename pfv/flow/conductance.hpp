@@ -26,7 +26,8 @@ using WallRule = std::variant<MirrorWalls, OriginalWalls>;
 struct Conductances {
   std::vector<double> values; // m^3/(Pa s), by throat; 0 on facets without area
   double median = 0;          // m^3/(Pa s), over the facets with area
-  std::size_t raised = 0;     // throats without fluid area or volume, raised to `floor` x median
+  std::size_t raised = 0;     // throats without fluid area, raised to `floor` x median
+  std::size_t rounded = 0;    // open throats whose signed void or wetted surface is lost: round tubes of their section
   static constexpr double floor = 1e-6;
 };
 
