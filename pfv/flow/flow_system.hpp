@@ -2,7 +2,7 @@
 
 #include "pfv/flow/conductance.hpp"
 #include "pfv/pores/pore_network.hpp"
-#include "pfv/problem/face.hpp"
+#include "pfv/problem/face_condition.hpp"
 
 #include <Eigen/SparseCore>
 #include <cstddef>

@@ -1,6 +1,7 @@
 #include "pfv/flow/steady_flow.hpp"
 
 #include "pfv/problem/error.hpp"
+#include "pfv/problem/validate.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,14 +14,13 @@ std::optional<double> permeability(const Case& problem, const std::array<double,
   if (!setup)
     return std::nullopt;
   const double flux = face_flux[index(lower_face(setup->axis))];
-  return problem.fluid.viscosity * flux * setup->length / (setup->area * setup->pressure_drop);
+  return problem.fluid.viscosity * flux * setup->length / (setup->area * *setup->pressure_drop);
 }
 
 } // namespace
 
 SteadyFlow solve_steady_flow(const Case& problem, const FlowOptions& options, Clock& clock) {
-  if (std::ranges::none_of(problem.faces, [](const auto& face) { return std::holds_alternative<Pressure>(face); }))
-    throw InputError("no face has a pressure: at least one must, or the flow has no cause");
+  validate_level(problem.faces, problem.pressure_points);
   SteadyFlow flow;
   flow.network = build_pore_network(problem.packing, clock);
   Conductances throat_conductances;

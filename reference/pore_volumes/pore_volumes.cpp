@@ -1,6 +1,8 @@
 #include "reference/pore_volumes/pore_volumes.hpp"
 
 #include "pfv/flow/steady_flow.hpp"
+#include "pfv/problem/error.hpp"
+#include "pfv/problem/validate.hpp"
 #include "reference/cut_spheres.hpp"
 
 #include <algorithm>
@@ -19,10 +21,11 @@ public:
   std::string description() const override { return description_; }
 
   std::optional<std::string> not_covered(const pfv::Case& problem) const override {
-    const bool open = std::ranges::any_of(problem.faces,
-                                          [](const auto& face) { return std::holds_alternative<pfv::Pressure>(face); });
-    if (!open)
-      return "no face has a pressure";
+    try {
+      pfv::validate_level(problem.faces, problem.pressure_points);
+    } catch (const pfv::InputError& error) {
+      return error.what();
+    }
     return std::nullopt;
   }
 

@@ -87,7 +87,7 @@ TEST(PermeabilityCommand, AnswersEveryPackingWithoutNan) {
 
 TEST(PermeabilityCommand, RefusesBadInputInOneLine) {
   expect_bad_input("missing.txt", "missing.txt");
-  expect_bad_input(data + "/g200.txt --axis w", "\"w\" is not one of x, y, z");
+  expect_bad_input(data + "/g200.txt --axis w", "\"w\" must be one of x, y, z");
   expect_bad_input(data + "/g200.txt --solver jacobi", "jacobi");
   expect_bad_input(data + "/g200.txt --viscosity 0", "viscosity");
   expect_bad_input(data + "/g200.txt --viscosity water", "water");
