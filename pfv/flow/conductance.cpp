@@ -7,10 +7,10 @@
 namespace pfv {
 namespace {
 
-constexpr double no_area = 1e-12; // of the mean facet area
+constexpr double no_area = 1e-12; // of the mean fluid area
 
 double conductance(const HydraulicRadius& rule, const PoreNetwork::Throats& throats, std::size_t t, double viscosity) {
-  const double radius = throats.void_volume[t] / throats.total_wetted_surface(t);
+  const double radius = throats.void_volume[t] / throats.sphere_surface(t);
   return rule.alpha * throats.fluid_area[t] * radius * radius / (viscosity * throats.length[t]);
 }
 
@@ -36,8 +36,8 @@ Conductances conductances(const PoreNetwork& network, const Conductance& rule, c
                           double viscosity) {
   const auto& throats = network.throats;
   double total_area = 0;
-  for (const double area : throats.area)
-    total_area += area;
+  for (const double area : throats.fluid_area)
+    total_area += std::abs(area);
   const double smallest_area = no_area * total_area / static_cast<double>(throats.size());
 
   Conductances result;
@@ -47,10 +47,9 @@ Conductances conductances(const PoreNetwork& network, const Conductance& rule, c
   std::visit(
       [&](const auto& law, const auto& wall) {
         for (std::size_t t = 0; t < throats.size(); ++t) {
-          if (throats.area[t] <= smallest_area)
+          if (std::abs(throats.fluid_area[t]) <= smallest_area && throats.sphere_surface(t) <= smallest_area)
             continue;
-          const bool open =
-              throats.fluid_area[t] > 0 && throats.void_volume[t] > 0 && throats.total_wetted_surface(t) > 0;
+          const bool open = throats.fluid_area[t] > 0 && throats.void_volume[t] > 0 && throats.sphere_surface(t) > 0;
           if (throats.length[t] <= 0) {
             result.values[t] = std::numeric_limits<double>::infinity();
           } else if (open) {

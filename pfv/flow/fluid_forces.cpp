@@ -1,22 +1,18 @@
 #include "pfv/flow/fluid_forces.hpp"
 
+#include "pfv/pores/throat_planes.hpp"
+
 namespace pfv {
 namespace {
 
-/// Shares of the spheres of a throat in its fluid area: by wetted surface, by disc sector where that is not positive.
-std::array<double, 3> fluid_shares(const PoreNetwork::Throats& throats, std::size_t t) {
-  const auto& wetted = throats.wetted_surface[t];
-  const auto& sector = throats.sector_area[t];
-  const double total_wetted = throats.total_wetted_surface(t);
-  const double total_sector = sector[0] + sector[1] + sector[2];
-  std::array<double, 3> share{};
-  for (int c = 0; c < 3; ++c) {
-    if (total_wetted > 0)
-      share[c] = wetted[c] / total_wetted;
-    else if (total_sector > 0)
-      share[c] = sector[c] / total_sector;
-  }
-  return share;
+/// Shares of the vertices of a throat in its fluid area: by wetted surface, by disc sector where that is not positive.
+std::array<double, 3> fluid_shares(const std::array<double, 3>& wetted, const std::array<double, 3>& sector) {
+  const auto sum = [](const std::array<double, 3>& of) { return of[0] + of[1] + of[2]; };
+  const auto& by = sum(wetted) > 0 ? wetted : sector;
+  const double total = sum(by);
+  if (!(total > 0))
+    return {};
+  return {by[0] / total, by[1] / total, by[2] / total};
 }
 
 } // namespace
@@ -28,21 +24,24 @@ FluidForces fluid_forces(const PoreNetwork& network, const std::vector<double>& 
   forces.on_face.fill(Vec3::Zero());
 
   const auto& throats = network.throats;
-  for (std::size_t t = 0; t < throats.size(); ++t) {
+  visit_planes(network, [&](std::size_t t, const ThroatPlane& plane) {
     const auto [i, j] = throats.pores[t];
-    const Vec3 step = (pressure[i] - pressure[j]) * throats.normal[t];
-    const auto share = fluid_shares(throats, t);
+    const Vec3 step = (pressure[i] - pressure[j]) * plane.normal;
+    std::array<double, 3> wetted = throats.wetted_surface[t];
+    for (int c = 0; c < 3; ++c)
+      if (is_wall(throats.vertices[t][c]))
+        wetted[c] = 0;
+    const auto share = fluid_shares(wetted, plane.sector);
     for (int c = 0; c < 3; ++c) {
-      const Vertex k = throats.vertices[t][c];
-      if (is_wall(k))
+      if (is_wall(throats.vertices[t][c]))
         continue;
-      forces.pressure[k] += throats.sector_area[t][c] * step;
-      forces.viscous[k] += throats.fluid_area[t] * share[c] * step;
+      const int k = network.sites.number[throats.vertices[t][c]];
+      forces.pressure[k] += plane.sector[c] * step;
+      forces.viscous[k] += plane.fluid_area() * share[c] * step;
     }
-  }
-  for (std::size_t i = 0; i < network.pores.size(); ++i)
-    for (const Face face : all_faces)
-      forces.on_face[index(face)] += pressure[i] * network.pores.wall_area[i][index(face)] * outward_normal(face);
+  });
+  for (const auto& part : network.wall_parts)
+    forces.on_face[index(part.face)] += pressure[part.pore] * part.area * outward_normal(part.face);
 
   if (buoyancy) {
     forces.buoyancy.emplace(spheres);

@@ -22,7 +22,7 @@ std::optional<double> permeability(const Case& problem, const std::array<double,
 SteadyFlow solve_steady_flow(const Case& problem, const FlowOptions& options, Clock& clock) {
   validate_level(problem.faces, problem.pressure_points);
   SteadyFlow flow;
-  flow.network = build_pore_network(problem.packing, clock);
+  flow.network = build_pore_network(problem.packing, {}, clock);
   Conductances throat_conductances;
   {
     const auto timing = clock.stage("conductances");

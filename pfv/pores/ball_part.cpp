@@ -10,7 +10,8 @@ namespace {
 
 constexpr double on_wall = 1e-12; // of the radius: the centre lies on the wall
 
-using Polygon = std::vector<Vec3>; // directions of any length, anticlockwise seen from outside
+// Directions of any length, anticlockwise seen from outside; each of at most 12 clips adds one to a triangle.
+using Polygon = ShortList<Vec3, 16>;
 
 /// The part of a convex spherical polygon where normal . direction >= 0.
 Polygon clipped(const Polygon& polygon, const Vec3& normal) {
@@ -61,7 +62,7 @@ CutOff cut_off_under_edge(double radius, const WallCut& cut, const Vec3& a, cons
     return cosine * cosine * across(u).dot(across(v)) - (1 - cosine * cosine) * cut.outward.dot(u) * cut.outward.dot(v);
   };
   const double qa = form(step, step), qb = form(a, step), qc = form(a, a);
-  std::vector<double> ends{0};
+  ShortList<double, 4> ends{0};
   const double discriminant = qb * qb - qa * qc;
   if (discriminant > 0) {
     const double q = -(qb + std::copysign(std::sqrt(discriminant), qb));
@@ -93,8 +94,8 @@ CutOff cut_off_under_edge(double radius, const WallCut& cut, const Vec3& a, cons
 
 } // namespace
 
-std::vector<WallCut> wall_cuts(const Sphere& sphere, const Box& box) {
-  std::vector<WallCut> cuts;
+WallCuts wall_cuts(const Sphere& sphere, const Box& box) {
+  WallCuts cuts;
   for (const Face face : all_faces) {
     const double distance = wall_distance(box, face, sphere.centre);
     if (distance < sphere.radius)

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "pfv/pores/short_list.hpp"
 #include "pfv/problem/packing.hpp"
 
 #include <span>
-#include <vector>
 
 namespace pfv {
 
@@ -13,8 +13,10 @@ struct WallCut {
   double distance;
 };
 
+using WallCuts = ShortList<WallCut, 6>;
+
 /// The walls of the box that cut a sphere; none for a sphere wholly inside or just touching.
-std::vector<WallCut> wall_cuts(const Sphere& sphere, const Box& box);
+WallCuts wall_cuts(const Sphere& sphere, const Box& box);
 
 /// Volume (m^3) and surface (m^2) of the part of a ball in a cone from its centre, inside the box.
 struct BallPart {

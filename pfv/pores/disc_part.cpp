@@ -19,9 +19,12 @@ struct Trace {
   }
 };
 
+// Two ends and, for each of 6 traces, 3 turns of 2 crossings with the circle and of 2 with each other trace.
+using Breaks = ShortList<double, 2 + 6 * 6 + 15 * 6>;
+
 /// Angles at which the nearest bound (circle or one of the traces) may change, inside (0, angle).
-std::vector<double> breaks(double radius, std::span<const Trace> traces, double angle) {
-  std::vector<double> result{0, angle};
+Breaks breaks(double radius, std::span<const Trace> traces, double angle) {
+  Breaks result{0, angle};
   const auto add = [&](double phi) {
     for (const double turn : {-2.0, 0.0, 2.0})
       if (const double at = phi + turn * std::numbers::pi; at > 0 && at < angle)
@@ -55,7 +58,7 @@ double disc_in_wedge(double radius, std::span<const WallCut> cuts, const Vec3& a
     return 0.5 * radius * radius * angle;
   const Vec3 u = a.normalized();
   const Vec3 v = (b - b.dot(u) * u).normalized();
-  std::vector<Trace> traces;
+  ShortList<Trace, 6> traces;
   for (const auto& cut : cuts) {
     const double c = cut.outward.dot(u), s = cut.outward.dot(v);
     traces.push_back({cut.distance, std::atan2(s, c), std::hypot(c, s)});

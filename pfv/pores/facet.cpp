@@ -5,17 +5,17 @@
 namespace pfv {
 namespace {
 
-Vec3 area_vector(const Packing& packing, const std::array<Vertex, 3>& vertices) {
+Vec3 area_vector(const Box& box, std::span<const Sphere> spheres, const std::array<Vertex, 3>& vertices) {
   int first_sphere = 0;
   while (is_wall(vertices[first_sphere]))
     ++first_sphere;
   const Vertex a = vertices[first_sphere], b = vertices[(first_sphere + 1) % 3], c = vertices[(first_sphere + 2) % 3];
-  const Vec3& at = packing.spheres[a].centre;
+  const Vec3& at = spheres[a].centre;
   const auto to = [&](Vertex v) -> Vec3 {
-    return is_wall(v) ? outward_normal(face_of(v)) : Vec3(packing.spheres[v].centre - at);
+    return is_wall(v) ? outward_normal(face_of(v)) : Vec3(spheres[v].centre - at);
   };
   const auto reach = [&](Vertex sphere, Vertex wall) {
-    return wall_distance(packing.box, face_of(wall), packing.spheres[sphere].centre);
+    return wall_distance(box, face_of(wall), spheres[sphere].centre);
   };
   const Vec3 cross = to(b).cross(to(c));
   if (is_wall(b) && is_wall(c))
@@ -29,22 +29,22 @@ Vec3 area_vector(const Packing& packing, const std::array<Vertex, 3>& vertices) 
 
 } // namespace
 
-Facet make_facet(const Packing& packing, const std::array<Vertex, 3>& vertices) {
+Facet make_facet(const Box& box, std::span<const Sphere> spheres, const std::array<Vertex, 3>& vertices) {
   Facet facet;
   const auto direction = [&](Vertex from, Vertex to) -> Vec3 {
     if (is_wall(to))
       return outward_normal(face_of(to));
     if (is_wall(from))
       return -outward_normal(face_of(from));
-    return packing.spheres[to].centre - packing.spheres[from].centre;
+    return spheres[to].centre - spheres[from].centre;
   };
   for (int c = 0; c < 3; ++c) {
     const Vertex vertex = vertices[c];
     facet.corners[c] = {vertex, direction(vertex, vertices[(c + 1) % 3]), direction(vertex, vertices[(c + 2) % 3])};
     if (!is_wall(vertex))
-      facet.point = packing.spheres[vertex].centre;
+      facet.point = spheres[vertex].centre;
   }
-  const Vec3 vector = area_vector(packing, vertices);
+  const Vec3 vector = area_vector(box, spheres, vertices);
   facet.area = vector.norm();
   for (const auto& corner : facet.corners) // the direction survives where the area is zero: spheres centred on a wall
     if (!is_wall(corner.vertex))

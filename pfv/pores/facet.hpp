@@ -4,6 +4,7 @@
 #include "pfv/problem/packing.hpp"
 
 #include <array>
+#include <span>
 
 namespace pfv {
 
@@ -25,6 +26,6 @@ struct Facet {
 };
 
 /// The facet of these vertices, at least one of them a sphere.
-Facet make_facet(const Packing& packing, const std::array<Vertex, 3>& vertices);
+Facet make_facet(const Box& box, std::span<const Sphere> spheres, const std::array<Vertex, 3>& vertices);
 
 } // namespace pfv

@@ -1,158 +1,135 @@
 #include "pfv/pores/pore_network.hpp"
 
-#include "pfv/pores/ball_part.hpp"
-#include "pfv/pores/facet.hpp"
-#include "pfv/pores/power_centre.hpp"
+#include "pfv/pores/pore_centres.hpp"
+#include "pfv/pores/throat_geometry.hpp"
 #include "pfv/pores/triangulate.hpp"
-#include "pfv/problem/error.hpp"
 
 #include <algorithm>
-#include <fmt/format.h>
+#include <cassert>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace pfv {
 namespace {
 
-/// Vertices of the facet opposite each vertex of a positively oriented cell, so that its normal points out of the cell.
-constexpr int facet_vertices[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-
-/// The pyramid between a facet and the centre of one of its pores, positive when the centre is on the pore's side.
-struct Pyramid {
-  double volume = 0;
-  std::array<BallPart, 3> balls{}; // by corner of the facet
-};
-
-class Builder {
-public:
-  Builder(const Packing& packing, Triangulation cells) : packing_(packing), cells_(std::move(cells)) {
-    network_.box = packing.box;
-    network_.hidden_spheres = cells_.hidden_spheres;
-    cuts_.reserve(packing.spheres.size());
-    for (const auto& sphere : packing.spheres)
-      cuts_.push_back(wall_cuts(sphere, packing.box));
-  }
-
-  PoreNetwork build() {
-    add_pores();
-    for (int i = 0; i < static_cast<int>(cells_.cells.size()); ++i)
-      for (int f = 0; f < 4; ++f)
-        if (cells_.neighbours[i][f] > i)
-          add_throat(i, f);
-    close_wall_pores();
-    return std::move(network_);
-  }
-
-private:
-  void add_pores() {
-    auto& pores = network_.pores;
-    const std::size_t count = cells_.cells.size();
-    pores.vertices = cells_.cells;
-    pores.centre.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      pores.centre[i] = power_centre(packing_, cells_.cells[i]);
-      if (!pores.centre[i].allFinite())
-        throw SolveError(fmt::format("pore {} is flat: its centre is not finite", i));
+Box without_end(Box box, const PeriodicAxes& periodic) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (periodic[axis]) {
+      box.lower[axis] = -std::numeric_limits<double>::infinity();
+      box.upper[axis] = std::numeric_limits<double>::infinity();
     }
-    pores.volume.assign(count, 0);
-    pores.void_volume.assign(count, 0);
-    pores.wall_area.assign(count, {});
-    network_.spheres.volume.assign(packing_.spheres.size(), 0);
-    network_.spheres.wetted_surface.assign(packing_.spheres.size(), 0);
-    outward_.assign(count, Vec3::Zero());
-  }
+  return box;
+}
 
-  Pyramid pyramid(const Facet& facet, const Vec3& apex, double side) const {
-    Pyramid result;
-    result.volume = side * facet.area * (apex - facet.point).dot(facet.normal) / 3;
-    for (int c = 0; c < 3; ++c) {
-      const auto& [vertex, next, previous] = facet.corners[c];
-      if (is_wall(vertex))
-        continue;
-      const Sphere& sphere = packing_.spheres[vertex];
-      const auto part = ball_in_cone(sphere.radius, cuts_[vertex], next, previous, apex - sphere.centre);
-      result.balls[c] = {side * part.volume, side * part.surface};
-    }
-    return result;
-  }
+/// Whether the throat through facet f of cell i is listed from this side: each is met from two.
+bool is_first_side(const Triangulation& cells, int i, int f) {
+  const int j = cells.neighbours[i][f];
+  return j > i || (j == i && cells.shifts[i][f] > Shift{});
+}
 
-  void add_throat(int i, int f) {
-    const int j = cells_.neighbours[i][f];
-    std::array<Vertex, 3> vertices;
-    for (int c = 0; c < 3; ++c)
-      vertices[c] = cells_.cells[i][facet_vertices[f][c]];
-    const Facet facet = make_facet(packing_, vertices);
-    const Pyramid behind = pyramid(facet, network_.pores.centre[i], -1);
-    const Pyramid ahead = pyramid(facet, network_.pores.centre[j], 1);
+void list_throats(const Triangulation& cells, PoreNetwork::Throats& throats) {
+  const int count = static_cast<int>(cells.cells.size());
+  const auto add_all = [&](bool at_wall) {
+    for (int i = 0; i < count; ++i)
+      for (int f = 0; f < 4; ++f) {
+        if (!is_first_side(cells, i, f))
+          continue;
+        const auto vertices = facet_opposite(cells.cells[i], f);
+        if (std::ranges::any_of(vertices, is_wall) != at_wall)
+          continue;
+        throats.pores.push_back({i, cells.neighbours[i][f]});
+        throats.vertices.push_back(vertices);
+        if (!cells.shifts.empty())
+          throats.shift.push_back(cells.shifts[i][f]);
+      }
+  };
+  throats.pores.reserve(2 * cells.cells.size());
+  throats.vertices.reserve(2 * cells.cells.size());
+  add_all(false);
+  throats.interior = throats.pores.size();
+  add_all(true);
+  throats.fluid_area.resize(throats.size());
+  throats.length.resize(throats.size());
+  throats.void_volume.resize(throats.size());
+  throats.wetted_surface.resize(throats.size());
+}
 
-    auto& throats = network_.throats;
-    double solid_volume = 0, solid_area = 0;
-    std::array<double, 3> wetted{}, sector{};
-    for (int c = 0; c < 3; ++c) {
-      const auto& [vertex, next, previous] = facet.corners[c];
-      if (is_wall(vertex))
-        continue;
-      wetted[c] = behind.balls[c].surface + ahead.balls[c].surface;
-      sector[c] = disc_in_wedge(packing_.spheres[vertex].radius, cuts_[vertex], next, previous);
-      solid_area += sector[c];
-      const double ball = behind.balls[c].volume + ahead.balls[c].volume;
-      solid_volume += ball;
-      network_.spheres.volume[vertex] += ball;
-      network_.spheres.wetted_surface[vertex] += wetted[c];
-    }
-    throats.pores.push_back({i, j});
-    throats.vertices.push_back(vertices);
-    throats.normal.push_back(facet.normal);
-    throats.area.push_back(facet.area);
-    throats.fluid_area.push_back(facet.area - solid_area);
-    throats.length.push_back((network_.pores.centre[j] - network_.pores.centre[i]).dot(facet.normal));
-    throats.void_volume.push_back(behind.volume + ahead.volume - solid_volume);
-    throats.wetted_surface.push_back(wetted);
-    throats.sector_area.push_back(sector);
-    add_to_pore(i, behind);
-    add_to_pore(j, ahead);
-    outward_[i] += facet.area * facet.normal;
-    outward_[j] -= facet.area * facet.normal;
-  }
+void list_wall_parts(PoreNetwork& network) {
+  for (std::size_t i = 0; i < network.pores.vertices.size(); ++i)
+    for (const Vertex v : network.pores.vertices[i])
+      if (is_wall(v))
+        network.wall_parts.push_back({static_cast<int>(i), face_of(v), 0});
+}
 
-  void add_to_pore(int pore, const Pyramid& part) {
-    network_.pores.volume[pore] += part.volume;
-    network_.pores.void_volume[pore] +=
-        part.volume - part.balls[0].volume - part.balls[1].volume - part.balls[2].volume;
-  }
-
-  /// A closed surface has no net area vector, so what a pore's facets leave open lies on its walls.
-  void close_wall_pores() {
-    for (std::size_t i = 0; i < network_.pores.size(); ++i)
-      for (const Vertex vertex : cells_.cells[i])
-        if (is_wall(vertex))
-          network_.pores.wall_area[i][index(face_of(vertex))] = -outward_[i].dot(outward_normal(face_of(vertex)));
-  }
-
-  const Packing& packing_;
-  Triangulation cells_;
-  std::vector<std::vector<WallCut>> cuts_;
-  std::vector<Vec3> outward_; // m^2, sum of the area vectors of each pore's facets
-  PoreNetwork network_;
-};
+PoreNetwork topology(const Packing& packing, const PeriodicAxes& periodic, Triangulation cells) {
+  PoreNetwork network;
+  network.box = packing.box;
+  network.walls = without_end(packing.box, periodic);
+  network.hidden_spheres = std::move(cells.hidden_spheres);
+  list_throats(cells, network.throats);
+  network.sites = std::move(cells.sites);
+  network.pores.vertices = std::move(cells.cells);
+  network.pores.centre.resize(network.pores.vertices.size());
+  network.pores.volume.resize(network.pores.size());
+  network.pores.void_volume.resize(network.pores.size());
+  network.spheres.volume.resize(packing.spheres.size());
+  network.spheres.wetted_surface.resize(packing.spheres.size());
+  list_wall_parts(network);
+  return network;
+}
 
 } // namespace
 
+PeriodicAxes PoreNetwork::periodic() const {
+  return {std::isinf(walls.upper.x()), std::isinf(walls.upper.y()), std::isinf(walls.upper.z())};
+}
+
 bool PoreNetwork::Pores::touches(std::size_t pore, Face face) const {
   return std::ranges::find(vertices[pore], wall_vertex(face)) != vertices[pore].end();
+}
+
+double PoreNetwork::Throats::sphere_surface(std::size_t throat) const {
+  double sum = 0;
+  for (int c = 0; c < 3; ++c)
+    if (!is_wall(vertices[throat][c]))
+      sum += wetted_surface[throat][c];
+  return sum;
 }
 
 double PoreNetwork::porosity() const {
   return std::accumulate(pores.void_volume.begin(), pores.void_volume.end(), 0.0) / box.volume();
 }
 
-PoreNetwork build_pore_network(const Packing& packing, Clock& clock) {
+Vec3 PoreNetwork::centre_ahead(std::size_t throat) const {
+  Vec3 centre = pores.centre[throats.pores[throat][1]];
+  if (!throats.shift.empty())
+    for (int axis = 0; axis < 3; ++axis)
+      centre[axis] += throats.shift[throat][axis] * (box.upper[axis] - box.lower[axis]);
+  return centre;
+}
+
+PoreNetwork build_pore_network(const Packing& packing, const PeriodicAxes& periodic, Clock& clock) {
   Triangulation cells;
   {
     const auto timing = clock.stage("triangulate");
-    cells = triangulate(packing);
+    cells = triangulate(packing, periodic);
   }
   const auto timing = clock.stage("geometry");
-  return Builder(packing, std::move(cells)).build();
+  PoreNetwork network = topology(packing, periodic, std::move(cells));
+  set_pore_centres(network);
+  measure(network);
+  return network;
+}
+
+void follow(PoreNetwork& network, const Packing& packing, Clock& clock) {
+  assert(network.spheres.volume.size() == packing.spheres.size());
+  const auto timing = clock.stage("geometry");
+  network.walls = without_end(packing.box, network.periodic());
+  network.box = packing.box;
+  move_sites(network.sites, packing);
+  set_pore_centres(network);
+  measure(network);
 }
 
 } // namespace pfv

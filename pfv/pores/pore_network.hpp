@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pfv/clock.hpp"
+#include "pfv/pores/sites.hpp"
 #include "pfv/pores/vertex.hpp"
 #include "pfv/problem/packing.hpp"
 
@@ -16,53 +17,72 @@ namespace pfv {
 ///
 /// A facet and the power centres P_i, P_j of its two pores span a bipyramid, whose axis P_i P_j is normal to the facet.
 /// All lengths, volumes and surfaces are signed, so that bipyramids tile the box exactly even where a centre lies on
-/// the far side of its facet.
+/// the far side of its facet. Where two spheres overlap, each keeps what lies on its own side of their radical plane.
+///
+/// In a periodic box every pore and throat is there once; the pore ahead of a throat is then met at its centre plus a
+/// shift.
 struct PoreNetwork {
   Box box;
+  Box walls;   // the box, without end along its periodic axes
+  Sites sites; // what the vertices stand for
 
   struct Pores {
     std::vector<std::array<Vertex, 4>> vertices;
-    std::vector<Vec3> centre;                     // power centre; on the wall for a pore that touches it
-    std::vector<double> volume;                   // m^3, void and solid
-    std::vector<double> void_volume;              // m^3
-    std::vector<std::array<double, 6>> wall_area; // m^2 of each face of the box, void and solid
+    std::vector<Vec3> centre;        // power centre; on the wall for a pore that touches it
+    std::vector<double> volume;      // m^3, void and solid
+    std::vector<double> void_volume; // m^3
 
     std::size_t size() const { return centre.size(); }
     bool touches(std::size_t pore, Face face) const;
   } pores;
 
+  /// Where pores end on faces of the box: one entry for each pore and face.
+  struct WallPart {
+    int pore;
+    Face face;
+    double area; // m^2, void and solid
+  };
+  std::vector<WallPart> wall_parts;
+
   struct Throats {
-    std::vector<std::array<int, 2>> pores; // i, j
-    std::vector<std::array<Vertex, 3>> vertices;
-    std::vector<Vec3> normal;                          // unit, from i to j
-    std::vector<double> area;                          // m^2, S
-    std::vector<double> fluid_area;                    // m^2, S_f: S less the sectors of the discs
-    std::vector<double> length;                        // m, l = (P_j - P_i).n
-    std::vector<double> void_volume;                   // m^3, Theta: of the bipyramid
-    std::vector<std::array<double, 3>> wetted_surface; // m^2, gamma by vertex; none on walls
-    std::vector<std::array<double, 3>> sector_area;    // m^2, A_k by vertex
+    std::size_t interior = 0;                    // the first ones have no wall among their vertices, all others have
+    std::vector<std::array<int, 2>> pores;       // i, j
+    std::vector<Shift> shift;                    // of j; empty unless the box is periodic
+    std::vector<std::array<Vertex, 3>> vertices; // in the order that turns the normal from i to j
+    std::vector<double> fluid_area;              // m^2, S_f: S less the sectors of the discs
+    std::vector<double> length;                  // m, l = (P_j - P_i).n
+    std::vector<double> void_volume;             // m^3, Theta: of the bipyramid
+    std::vector<std::array<double, 3>> wetted_surface; // m^2, gamma by vertex; a wall has its own
 
     std::size_t size() const { return pores.size(); }
-    double total_wetted_surface(std::size_t throat) const {
-      const auto& surface = wetted_surface[throat];
-      return surface[0] + surface[1] + surface[2];
-    }
+    /// gamma of the spheres (m^2), walls left out.
+    double sphere_surface(std::size_t throat) const;
   } throats;
 
   struct Spheres {
     std::vector<double> volume;         // m^3, inside the box, as the bipyramids sum it
     std::vector<double> wetted_surface; // m^2, inside the box, as the bipyramids sum it
-  } spheres;
+  } spheres;                            // by number in the packing
 
-  std::vector<int> hidden_spheres; // without a pore of their own, so without fluid force
+  std::vector<int> hidden_spheres;  // without a pore of their own, so without fluid force
+  std::size_t flat_pores = 0;       // whose centre, lost along their normal, is that of a neighbour
+  std::size_t inverted_throats = 0; // l < 0 beyond round-off: the topology is out of date
 
+  PeriodicAxes periodic() const;
   /// Void volume / box volume.
   double porosity() const;
+  /// Centre of the pore ahead of a throat as the throat meets it (m).
+  Vec3 centre_ahead(std::size_t throat) const;
 };
 
-/// Pores and throats of a packing, the six faces of the box in their exact limit as planes: a pore at a wall is a prism
-/// that ends on it and a throat through it half of the throat between the packing and its mirror image.
-/// Stages `triangulate` and `geometry`. Throws SolveError when a pore is so flat that its centre is not finite.
-PoreNetwork build_pore_network(const Packing& packing, Clock& clock);
+/// Pores and throats of a packing. The faces across axes that are not periodic are in their exact limit as planes: a
+/// pore at a wall is a prism that ends on it and a throat through it half of the throat between the packing and its
+/// mirror image. Stages `triangulate` and `geometry`. Throws SolveError when a pore is so flat that its centre is not
+/// finite, or when the triangulation of a periodic box does not repeat.
+PoreNetwork build_pore_network(const Packing& packing, const PeriodicAxes& periodic, Clock& clock);
+
+/// Follows the spheres to where they are now, all else kept: stage `geometry`, nothing is allocated. As long as no
+/// throat is inverted the network is that of the packing. The packing must have as many spheres as before.
+void follow(PoreNetwork& network, const Packing& packing, Clock& clock);
 
 } // namespace pfv

@@ -3,15 +3,15 @@
 #include "pfv/pores/wall_distance.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
+#include <Eigen/SVD>
 
 namespace pfv {
 
-Vec3 power_centre(const Packing& packing, const std::array<Vertex, 4>& vertices) {
+PowerCentre power_centre(const Box& box, std::span<const Sphere> spheres, const std::array<Vertex, 4>& vertices) {
   int first = 0;
   while (is_wall(vertices[first]))
     ++first;
-  const Sphere& origin = packing.spheres[vertices[first]];
+  const Sphere& origin = spheres[vertices[first]];
 
   // One plane per other vertex, n . x = d relative to the first sphere's centre: the radical plane or the wall itself.
   Eigen::Matrix3d normals;
@@ -22,9 +22,9 @@ Vec3 power_centre(const Packing& packing, const std::array<Vertex, 4>& vertices)
     if (is_wall(vertices[v])) {
       const Face face = face_of(vertices[v]);
       normals.row(row) = outward_normal(face);
-      distances[row] = wall_distance(packing.box, face, origin.centre);
+      distances[row] = wall_distance(box, face, origin.centre);
     } else {
-      const Sphere& other = packing.spheres[vertices[v]];
+      const Sphere& other = spheres[vertices[v]];
       const Vec3 apart = other.centre - origin.centre;
       const double length = apart.norm();
       normals.row(row) = apart / length;
@@ -32,13 +32,18 @@ Vec3 power_centre(const Packing& packing, const std::array<Vertex, 4>& vertices)
     }
     ++row;
   }
-  constexpr double flat = 1e-13; // of the unit directions' volume
-  if (std::abs(normals.determinant()) > flat)
-    return origin.centre + normals.inverse() * distances;
-  Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix3d> nearest;
-  nearest.setThreshold(1e-10);
-  nearest.compute(normals);
-  return origin.centre + nearest.solve(distances);
+  PowerCentre result{Vec3::Zero(), std::abs(normals.determinant()), Vec3::Zero()};
+  if (!result.flat()) {
+    result.point = origin.centre + normals.inverse() * distances;
+    return result;
+  }
+  const Eigen::JacobiSVD<Eigen::Matrix3d> parts(normals, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  result.point = origin.centre;
+  for (int n = 0; n < 2; ++n)
+    if (parts.singularValues()[n] > PowerCentre::flat_below)
+      result.point += parts.matrixU().col(n).dot(distances) / parts.singularValues()[n] * parts.matrixV().col(n);
+  result.normal = parts.matrixV().col(2);
+  return result;
 }
 
 } // namespace pfv

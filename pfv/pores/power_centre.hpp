@@ -4,11 +4,24 @@
 #include "pfv/problem/packing.hpp"
 
 #include <array>
+#include <span>
 
 namespace pfv {
 
-/// The point of equal power |x - c|^2 - r^2 with respect to four vertices (m); on every wall among them. For a cell so
-/// flat that the point is lost to round-off, the one of least distance to the first sphere.
-Vec3 power_centre(const Packing& packing, const std::array<Vertex, 4>& vertices);
+/// Where four vertices have equal power |x - c|^2 - r^2: on every wall among them.
+struct PowerCentre {
+  /// Cells whose three unit edges from one sphere (to a wall: its normal) span less are flat: their centre is lost
+  /// along the normal, to round-off or to jitter of the spheres that has no other consequence.
+  static constexpr double flat_below = 2e-5;
+
+  Vec3 point;  // m; of a flat cell the one nearest to its first sphere
+  double span; // of the unit edges
+  Vec3 normal; // of a flat cell; along it all points would do
+
+  bool flat() const { return span < flat_below; }
+};
+
+/// At least one of the vertices must be a sphere.
+PowerCentre power_centre(const Box& box, std::span<const Sphere> spheres, const std::array<Vertex, 4>& vertices);
 
 } // namespace pfv

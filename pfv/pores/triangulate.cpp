@@ -1,81 +1,89 @@
 #include "pfv/pores/triangulate.hpp"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Regular_triangulation_3.h>
-#include <CGAL/Regular_triangulation_cell_base_3.h>
-#include <CGAL/Regular_triangulation_vertex_base_3.h>
-#include <CGAL/Triangulation_cell_base_with_info_3.h>
-#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include "pfv/pores/periodic_cells.hpp"
+#include "pfv/pores/regular_cells.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace pfv {
 namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase =
-    CGAL::Triangulation_vertex_base_with_info_3<Vertex, Kernel, CGAL::Regular_triangulation_vertex_base_3<Kernel>>;
-using CellBase =
-    CGAL::Triangulation_cell_base_with_info_3<int, Kernel, CGAL::Regular_triangulation_cell_base_3<Kernel>>;
-using Regular = CGAL::Regular_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
-using Site = std::pair<Regular::Weighted_point, Vertex>;
 
 /// Power of two next above the largest side: scaling by it is exact.
 double unit_of(const Box& box) {
   return std::exp2(1 + std::ilogb(box.size().maxCoeff()));
 }
 
-std::vector<Site> sites_of(const Packing& packing) {
+Packing in_units(const Packing& packing) {
   const double unit = unit_of(packing.box);
-  const double far_radius = std::exp2(23);
-  const auto site = [](const Vec3& centre, double radius, Vertex vertex) {
-    return Site{{{centre.x(), centre.y(), centre.z()}, radius * radius}, vertex};
+  Packing scaled{{Vec3::Zero(), packing.box.size() / unit}, packing.spheres};
+  for (auto& sphere : scaled.spheres)
+    sphere = {(sphere.centre - packing.box.lower) / unit, sphere.radius / unit};
+  return scaled;
+}
+
+/// Moves cell i to place place[i].
+template <typename T>
+void arrange(std::vector<T>& values, const std::vector<int>& place) {
+  std::vector<T> arranged(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    arranged[place[i]] = values[i];
+  values = std::move(arranged);
+}
+
+void sort_cells(Triangulation& cells) {
+  const auto first_sphere = [](const std::array<Vertex, 4>& vertices) {
+    Vertex first = std::numeric_limits<Vertex>::max();
+    for (const Vertex v : vertices)
+      if (!is_wall(v))
+        first = std::min(first, v);
+    return first;
   };
-  std::vector<Site> sites;
-  sites.reserve(packing.spheres.size() + 6);
-  for (std::size_t k = 0; k < packing.spheres.size(); ++k) {
-    const auto& sphere = packing.spheres[k];
-    sites.push_back(site((sphere.centre - packing.box.lower) / unit, sphere.radius / unit, static_cast<Vertex>(k)));
-  }
-  const Vec3 size = packing.box.size() / unit;
-  for (const Face face : all_faces) {
-    const Vec3 foot = is_upper(face) ? size : Vec3::Zero();
-    Vec3 centre = 0.5 * size;
-    const int axis = index(axis_of(face));
-    centre[axis] = foot[axis] + far_radius * outward_normal(face)[axis];
-    sites.push_back(site(centre, far_radius, wall_vertex(face)));
-  }
-  return sites;
+  std::vector<int> start(cells.sites.size() + 1, 0);
+  for (const auto& cell : cells.cells)
+    ++start[first_sphere(cell) + 1];
+  for (std::size_t s = 1; s < start.size(); ++s)
+    start[s] += start[s - 1];
+  std::vector<int> place(cells.cells.size());
+  for (std::size_t i = 0; i < place.size(); ++i)
+    place[i] = start[first_sphere(cells.cells[i])]++;
+  for (auto& cell : cells.neighbours)
+    for (int& neighbour : cell)
+      if (neighbour != Triangulation::outside)
+        neighbour = place[neighbour];
+  arrange(cells.cells, place);
+  arrange(cells.neighbours, place);
+  if (!cells.shifts.empty())
+    arrange(cells.shifts, place);
+}
+
+void find_hidden(Triangulation& cells, std::size_t spheres) {
+  std::vector<bool> seen(spheres, false);
+  for (const auto& cell : cells.cells)
+    for (const Vertex v : cell)
+      if (!is_wall(v))
+        seen[cells.sites.number[v]] = true;
+  for (std::size_t k = 0; k < spheres; ++k)
+    if (!seen[k])
+      cells.hidden_spheres.push_back(static_cast<int>(k));
 }
 
 } // namespace
 
-Triangulation triangulate(const Packing& packing) {
-  const auto sites = sites_of(packing);
-  const Regular regular(sites.begin(), sites.end());
-
-  Triangulation result;
-  int count = 0;
-  for (const auto cell : regular.all_cell_handles())
-    cell->info() = regular.is_infinite(cell) ? Triangulation::outside : count++;
-  result.cells.resize(count);
-  result.neighbours.resize(count);
-  for (const auto cell : regular.finite_cell_handles()) {
-    for (int v = 0; v < 4; ++v) {
-      result.cells[cell->info()][v] = cell->vertex(v)->info();
-      result.neighbours[cell->info()][v] = cell->neighbor(v)->info();
-    }
+Triangulation triangulate(const Packing& packing, const PeriodicAxes& periodic) {
+  const Packing scaled = in_units(packing);
+  Triangulation cells;
+  if (std::ranges::find(periodic, true) == periodic.end()) {
+    Sites sites = sites_of(scaled);
+    cells = regular_cells(sites.spheres, scaled.box.size(), periodic);
+    cells.sites = std::move(sites);
+  } else {
+    cells = periodic_cells(scaled, periodic);
   }
-
-  std::vector<bool> seen(packing.spheres.size(), false);
-  for (const auto vertex : regular.finite_vertex_handles())
-    if (!is_wall(vertex->info()))
-      seen[vertex->info()] = true;
-  for (std::size_t k = 0; k < seen.size(); ++k)
-    if (!seen[k])
-      result.hidden_spheres.push_back(static_cast<int>(k));
-  return result;
+  sort_cells(cells);
+  find_hidden(cells, packing.spheres.size());
+  move_sites(cells.sites, packing);
+  return cells;
 }
 
 } // namespace pfv

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+
+namespace pfv {
+
+/// Triangular facets between three spheres, one to a lane.
+struct FacetBlock {
+  static constexpr int width = 64;
+  using Lane = std::array<double, width>;
+
+  struct Corner {
+    Lane x, y, z, radius; // m
+  };
+  std::array<Corner, 3> corners;
+
+  std::array<Lane, 3> normal; // unit, by the order of the corners
+  Lane area;                  // m^2, S
+  std::array<Lane, 3> sector; // m^2, A_k: of each corner's disc, inside the facet and not in another's disc
+  Lane fluid_area;            // m^2, S_f = S - sum A_k
+  bool overlapping = false;   // some spheres of the block overlap
+
+  /// From the corners, everything else. Lanes beyond those in use must hold something finite.
+  void measure();
+};
+
+} // namespace pfv

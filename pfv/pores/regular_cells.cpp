@@ -1,0 +1,65 @@
+#include "pfv/pores/regular_cells.hpp"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Regular_triangulation_3.h>
+#include <CGAL/Regular_triangulation_cell_base_3.h>
+#include <CGAL/Regular_triangulation_vertex_base_3.h>
+#include <CGAL/Triangulation_cell_base_with_info_3.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+
+#include <cmath>
+#include <utility>
+
+namespace pfv {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using VertexBase =
+    CGAL::Triangulation_vertex_base_with_info_3<Vertex, Kernel, CGAL::Regular_triangulation_vertex_base_3<Kernel>>;
+using CellBase =
+    CGAL::Triangulation_cell_base_with_info_3<int, Kernel, CGAL::Regular_triangulation_cell_base_3<Kernel>>;
+using Regular = CGAL::Regular_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
+using Site = std::pair<Regular::Weighted_point, Vertex>;
+
+std::vector<Site> sites_with_walls(std::span<const Sphere> spheres, const Vec3& size, const PeriodicAxes& periodic) {
+  const double far_radius = std::exp2(23);
+  const auto site = [](const Vec3& centre, double radius, Vertex vertex) {
+    return Site{{{centre.x(), centre.y(), centre.z()}, radius * radius}, vertex};
+  };
+  std::vector<Site> sites;
+  sites.reserve(spheres.size() + 6);
+  for (std::size_t s = 0; s < spheres.size(); ++s)
+    sites.push_back(site(spheres[s].centre, spheres[s].radius, static_cast<Vertex>(s)));
+  for (const Face face : all_faces) {
+    const int axis = index(axis_of(face));
+    if (periodic[axis])
+      continue;
+    Vec3 centre = 0.5 * size;
+    centre[axis] = (is_upper(face) ? size[axis] : 0) + far_radius * outward_normal(face)[axis];
+    sites.push_back(site(centre, far_radius, wall_vertex(face)));
+  }
+  return sites;
+}
+
+} // namespace
+
+Triangulation regular_cells(std::span<const Sphere> spheres, const Vec3& size, const PeriodicAxes& periodic) {
+  const auto sites = sites_with_walls(spheres, size, periodic);
+  const Regular regular(sites.begin(), sites.end());
+
+  Triangulation result;
+  int count = 0;
+  for (const auto cell : regular.all_cell_handles())
+    cell->info() = regular.is_infinite(cell) ? Triangulation::outside : count++;
+  result.cells.resize(count);
+  result.neighbours.resize(count);
+  for (const auto cell : regular.finite_cell_handles()) {
+    for (int v = 0; v < 4; ++v) {
+      result.cells[cell->info()][v] = cell->vertex(v)->info();
+      result.neighbours[cell->info()][v] = cell->neighbor(v)->info();
+    }
+  }
+  return result;
+}
+
+} // namespace pfv

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "pfv/problem/packing.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace pfv {
+
+/// By how many box sizes something is shifted along each axis.
+using Shift = std::array<std::int8_t, 3>;
+
+/// The spheres that vertices of the triangulation stand for. They come in Morton order of their centres, so that
+/// neighbours in space are neighbours in memory; in a periodic box their images outside the box follow.
+struct Sites {
+  std::vector<Sphere> spheres;
+  std::vector<int> number;  // of the sphere in the packing
+  std::vector<Shift> shift; // of an image from its sphere; empty unless the box is periodic
+
+  std::size_t size() const { return spheres.size(); }
+};
+
+/// The spheres of a packing in Morton order: along the curve that visits the octants of a cube one after the other, and
+/// their octants likewise (Morton 1966).
+Sites sites_of(const Packing& packing);
+
+/// Moves the sites to where the spheres of the packing are now; numbers and images stay.
+void move_sites(Sites& sites, const Packing& packing);
+
+} // namespace pfv

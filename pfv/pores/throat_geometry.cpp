@@ -1,0 +1,121 @@
+#include "pfv/pores/throat_geometry.hpp"
+
+#include "pfv/pores/bipyramid_block.hpp"
+#include "pfv/pores/throat_planes.hpp"
+
+#include <algorithm>
+
+namespace pfv {
+namespace {
+
+constexpr double inverted_below = -1e-6; // l of the largest side of the box; walls are only that exact
+
+class Measuring {
+public:
+  explicit Measuring(PoreNetwork& network) : network_(network) {
+    std::ranges::fill(network.pores.volume, 0);
+    std::ranges::fill(network.pores.void_volume, 0);
+    std::ranges::fill(network.spheres.volume, 0);
+    std::ranges::fill(network.spheres.wetted_surface, 0);
+    network.inverted_throats = 0;
+  }
+
+  void interior_throats() {
+    FacetBlock facets{};
+    BipyramidBlock bipyramids{};
+    for (std::size_t first = 0; first < network_.throats.interior; first += FacetBlock::width) {
+      const int count = gather(network_, first, facets);
+      for (int t = 0; t < count; ++t)
+        gather_centres(first + t, t, bipyramids);
+      facets.measure();
+      bipyramids.measure(facets);
+      for (int t = 0; t < count; ++t) {
+        if (is_cut(network_, first + t))
+          one_by_one(first + t);
+        else
+          store(first + t, measures(facets, bipyramids, t));
+      }
+    }
+  }
+
+  void wall_throats() {
+    for (std::size_t t = network_.throats.interior; t < network_.throats.size(); ++t)
+      one_by_one(t);
+  }
+
+  /// A closed surface has no net area vector, so what a pore's facets leave open lies on its walls.
+  void wall_parts() {
+    for (auto& part : network_.wall_parts) {
+      const auto& cell = network_.pores.vertices[part.pore];
+      const Vec3 outward = outward_normal(part.face);
+      part.area = 0;
+      for (int f = 0; f < 4; ++f) {
+        const auto vertices = facet_opposite(cell, f);
+        if (std::ranges::all_of(vertices, is_wall))
+          continue;
+        const Facet facet = make_facet(network_.walls, network_.sites.spheres, vertices);
+        part.area -= facet.area * facet.normal.dot(outward);
+      }
+    }
+  }
+
+private:
+  void gather_centres(std::size_t throat, int lane, BipyramidBlock& block) const {
+    const Vec3& behind = network_.pores.centre[network_.throats.pores[throat][0]];
+    const Vec3 ahead = network_.centre_ahead(throat);
+    block.behind.x[lane] = behind.x();
+    block.behind.y[lane] = behind.y();
+    block.behind.z[lane] = behind.z();
+    block.ahead.x[lane] = ahead.x();
+    block.ahead.y[lane] = ahead.y();
+    block.ahead.z[lane] = ahead.z();
+  }
+
+  static ThroatMeasures measures(const FacetBlock& facets, const BipyramidBlock& block, int t) {
+    return {.plane = {{}, facets.area[t], {facets.sector[0][t], facets.sector[1][t], facets.sector[2][t]}},
+            .length = block.length[t],
+            .behind = {block.behind.volume[t], block.behind.void_volume[t]},
+            .ahead = {block.ahead.volume[t], block.ahead.void_volume[t]},
+            .wetted = {block.wetted[0][t], block.wetted[1][t], block.wetted[2][t]},
+            .ball = {block.ball[0][t], block.ball[1][t], block.ball[2][t]}};
+  }
+
+  void one_by_one(std::size_t t) {
+    store(t, measure_throat(network_.walls, network_.sites.spheres, network_.throats.vertices[t],
+                            network_.pores.centre[network_.throats.pores[t][0]], network_.centre_ahead(t)));
+  }
+
+  void store(std::size_t t, const ThroatMeasures& measures) {
+    auto& throats = network_.throats;
+    throats.fluid_area[t] = measures.plane.fluid_area();
+    throats.length[t] = measures.length;
+    throats.void_volume[t] = measures.behind.void_volume + measures.ahead.void_volume;
+    throats.wetted_surface[t] = measures.wetted;
+    for (int c = 0; c < 3; ++c)
+      if (const Vertex v = throats.vertices[t][c]; !is_wall(v)) {
+        const int k = network_.sites.number[v];
+        network_.spheres.volume[k] += measures.ball[c];
+        network_.spheres.wetted_surface[k] += measures.wetted[c];
+      }
+    const auto [i, j] = throats.pores[t];
+    network_.pores.volume[i] += measures.behind.volume;
+    network_.pores.volume[j] += measures.ahead.volume;
+    network_.pores.void_volume[i] += measures.behind.void_volume;
+    network_.pores.void_volume[j] += measures.ahead.void_volume;
+    if (measures.length < inverted_below * network_.box.size().maxCoeff())
+      ++network_.inverted_throats;
+  }
+
+  PoreNetwork& network_;
+};
+
+} // namespace
+
+void measure(PoreNetwork& network) {
+  Measuring measuring(network);
+  measuring.interior_throats();
+  measuring.wall_throats();
+  measuring.wall_parts();
+}
+
+} // namespace pfv
