@@ -7,9 +7,10 @@
 namespace pfv {
 
 /// The answer as a page of text.
-std::string text_report(const Case& problem, const SteadyFlow& flow, const Clock& clock);
+std::string text_report(const Case& problem, const FlowOptions& options, const SteadyFlow& flow, const Clock& clock);
 
-/// The answer as one JSON object, SI units. `permeability` is null when the faces are no permeability test.
-std::string json_report(const Case& problem, const SteadyFlow& flow, const Clock& clock);
+/// The answer as one JSON object, SI units. `permeability` is null when the case is no permeability test,
+/// `mean_flux` unless the box is periodic, `face_pressure` unless the face has an imposed flux.
+std::string json_report(const Case& problem, const FlowOptions& options, const SteadyFlow& flow, const Clock& clock);
 
 } // namespace pfv

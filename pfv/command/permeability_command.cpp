@@ -1,6 +1,7 @@
 #include "pfv/command/permeability_command.hpp"
 
 #include "pfv/command/flow_report.hpp"
+#include "pfv/flow/choice.hpp"
 #include "pfv/flow/steady_flow.hpp"
 #include "pfv/problem/error.hpp"
 #include "pfv/vtk/write_vtk.hpp"
@@ -19,20 +20,11 @@ struct Options {
   std::optional<std::string> axis;
   std::vector<std::string> periodic;
   std::optional<double> viscosity;
-  std::string solver = "auto";
-  std::string walls = "mirror";
+  FlowOptionNames how;
   std::string forces_file;
   std::string vtk_folder;
   bool json = false;
 };
-
-WallRule walls_named(const std::string& name) {
-  if (name == "mirror")
-    return MirrorWalls{};
-  if (name == "original")
-    return OriginalWalls{};
-  throw InputError(fmt::format("--walls \"{}\" is not one of mirror, original", name));
-}
 
 void write_forces(const std::string& file, const FluidForces& forces) {
   std::ofstream out(file);
@@ -60,9 +52,7 @@ QuestionOptions question(const Options& options) {
 }
 
 void run(const Options& options) {
-  FlowOptions how;
-  how.solver = solver_named(options.solver);
-  how.walls = walls_named(options.walls);
+  const FlowOptions how = read_flow_options(options.file, options.how);
   const Case problem = read_question(options.file, question(options));
   Clock clock;
   const SteadyFlow flow = solve_steady_flow(problem, how, clock);
@@ -70,7 +60,7 @@ void run(const Options& options) {
     write_forces(options.forces_file, flow.forces);
   if (!options.vtk_folder.empty())
     write_vtk(options.vtk_folder, problem.packing, flow);
-  fmt::print("{}", options.json ? json_report(problem, flow, clock) : text_report(problem, flow, clock));
+  fmt::print("{}", options.json ? json_report(problem, how, flow, clock) : text_report(problem, how, flow, clock));
 }
 
 } // namespace
@@ -84,9 +74,9 @@ void add_permeability_command(CLI::App& app) {
   command->add_option("--periodic", options->periodic, "axes along which the box repeats: x,y,z or fewer")
       ->delimiter(',');
   command->add_option("--viscosity", options->viscosity, "of the fluid (Pa s)");
-  command->add_option("--solver", options->solver, "auto, cholmod or gauss-seidel")->capture_default_str();
-  command->add_option("--walls", options->walls, "mirror, or original: the factors of the original implementation")
-      ->capture_default_str();
+  command->add_option("--solver", options->how.solver, "auto, cholmod or gauss-seidel");
+  command->add_option("--walls", options->how.walls, list_of(names_of<WallRule>()));
+  command->add_option("--conductance", options->how.conductance, list_of(names_of<Conductance>()));
   command->add_option("--forces", options->forces_file, "write the force on every sphere to this CSV file (N)");
   command->add_option("--vtk", options->vtk_folder, "write pores.vtu and spheres.vtp into this folder");
   command->add_flag("--json", options->json, "print one JSON object");

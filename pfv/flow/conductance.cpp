@@ -3,22 +3,29 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace pfv {
 namespace {
 
 constexpr double no_area = 1e-12; // of the mean fluid area
-constexpr double closed = -1;     // marks a throat without fluid area or volume until the median is known
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// By selects rather than branches, so that a loop over it vectorises.
+/// Hagen-Poiseuille in a round tube of a throat's section.
+double round_tube(double fluid_area, double length, double viscosity) {
+  return fluid_area * fluid_area / (8 * std::numbers::pi * viscosity * length);
+}
+
+/// What the rule says, and less than zero where it says nothing: minus that of a round tube when only the section is
+/// sound, minus infinity when that is not either. By selects rather than branches, so that a loop over it vectorises.
 template <typename Rule>
 double conductance(const Rule& rule, double fluid_area, double void_volume, double wetted_surface, double length,
                    double viscosity, double smallest_area) {
   const double open = rule(fluid_area, void_volume, wetted_surface, length, viscosity);
-  const double smallest = std::min(std::min(fluid_area, void_volume), wetted_surface);
+  const double tube = -round_tube(fluid_area, length, viscosity);
   const double largest = std::max(std::abs(fluid_area), wetted_surface);
-  double value = smallest > 0 ? open : closed;
+  double value = std::min(void_volume, wetted_surface) > 0 ? open : tube;
+  value = fluid_area > 0 ? value : -infinite;
   value = length > 0 ? value : infinite;
   return largest > smallest_area ? value : 0;
 }
@@ -89,12 +96,16 @@ void update(Conductances& conductances, const PoreNetwork& network, const Conduc
       },
       rule, walls);
   conductances.median = median_of_open(values, conductances.sorted_part);
-  conductances.raised = 0;
-  for (double& value : values)
-    if (value == closed) {
+  conductances.raised = conductances.rounded = 0;
+  for (double& value : values) {
+    if (value == -infinite) {
       value = Conductances::floor * conductances.median;
       ++conductances.raised;
+    } else if (value < 0) {
+      value = -value;
+      ++conductances.rounded;
     }
+  }
 }
 
 Conductances conductances(const PoreNetwork& network, const Conductance& rule, const WallRule& walls,

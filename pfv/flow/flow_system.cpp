@@ -107,6 +107,7 @@ FlowSystem assemble(const PoreNetwork& network, Conductances conductances, const
   system.rise = imposed_gradient(faces).cwiseProduct(network.box.size());
   system.conductance = std::move(conductances.values);
   system.raised_throats = conductances.raised;
+  system.rounded_throats = conductances.rounded;
   PoreGroups groups = contract(network, conductances.median, system);
   KnownPressures known = known_pressures(network, faces, points, system.rise, groups);
   system.source_of_pore = std::move(known.source);
@@ -154,6 +155,7 @@ bool refresh(FlowSystem& system, const PoreNetwork& network, const Conductances&
     system.conductance[t] = contracted ? 0 : k;
   }
   system.raised_throats = conductances.raised;
+  system.rounded_throats = conductances.rounded;
   system.rise = imposed_gradient(system.faces).cwiseProduct(network.box.size());
   if (!impose_again(system, network) || !refill(system.matrix, links(network, system)))
     return false;

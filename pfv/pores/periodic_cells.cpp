@@ -202,7 +202,8 @@ Triangulation periodic_cells(const Packing& in_units, const PeriodicAxes& period
       return sites.shift[lowest(sites, cell)] == Shift{} &&
              !is_certain(packing, periodic, margin, largest_radius, sites, cell);
     };
-    if (margin < widest && std::ranges::any_of(all.cells, uncertain))
+    const bool flat = all.cells.empty(); // images of too few layers
+    if (margin < widest && (flat || std::ranges::any_of(all.cells, uncertain)))
       continue;
     Triangulation kept = kept_once(all, sites);
     kept.sites = std::move(sites);

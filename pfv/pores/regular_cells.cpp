@@ -4,9 +4,11 @@
 #include <CGAL/Regular_triangulation_3.h>
 #include <CGAL/Regular_triangulation_cell_base_3.h>
 #include <CGAL/Regular_triangulation_vertex_base_3.h>
+#include <CGAL/Triangulation_cell_base_3.h>
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -16,13 +18,17 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase =
     CGAL::Triangulation_vertex_base_with_info_3<Vertex, Kernel, CGAL::Regular_triangulation_vertex_base_3<Kernel>>;
-using CellBase =
-    CGAL::Triangulation_cell_base_with_info_3<int, Kernel, CGAL::Regular_triangulation_cell_base_3<Kernel>>;
+// What a hidden sphere is hidden by is not asked.
+using BareCell = CGAL::Regular_triangulation_cell_base_3<Kernel, CGAL::Triangulation_cell_base_3<Kernel>,
+                                                         CGAL::Discard_hidden_points>;
+using CellBase = CGAL::Triangulation_cell_base_with_info_3<int, Kernel, BareCell>;
 using Regular = CGAL::Regular_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
 using Site = std::pair<Regular::Weighted_point, Vertex>;
 
 std::vector<Site> sites_with_walls(std::span<const Sphere> spheres, const Vec3& size, const PeriodicAxes& periodic) {
   const double far_radius = std::exp2(23);
+  // Ties between spheres and a wall must be broken alike in all images: by more than the curvature of the far sphere.
+  const double set_back = std::ranges::find(periodic, true) != periodic.end() ? std::exp2(-22) : 0;
   const auto site = [](const Vec3& centre, double radius, Vertex vertex) {
     return Site{{{centre.x(), centre.y(), centre.z()}, radius * radius}, vertex};
   };
@@ -35,7 +41,7 @@ std::vector<Site> sites_with_walls(std::span<const Sphere> spheres, const Vec3& 
     if (periodic[axis])
       continue;
     Vec3 centre = 0.5 * size;
-    centre[axis] = (is_upper(face) ? size[axis] : 0) + far_radius * outward_normal(face)[axis];
+    centre[axis] = (is_upper(face) ? size[axis] : 0) + (far_radius + set_back) * outward_normal(face)[axis];
     sites.push_back(site(centre, far_radius, wall_vertex(face)));
   }
   return sites;

@@ -1,0 +1,98 @@
+// The block form of the geometry against the one-by-one form, and both against what they must sum to.
+#include "pfv/pores/throat_measures.hpp"
+
+#include "pfv/pores/pore_network.hpp"
+#include "pfv/pores/throat_planes.hpp"
+#include "pfv/problem/generate.hpp"
+#include "support/packings.hpp"
+
+#include <gtest/gtest.h>
+#include <numbers>
+
+using namespace pfv;
+using pfv::testing::packing_from;
+
+namespace {
+
+PoreNetwork network_of(const Packing& packing) {
+  Clock clock;
+  return build_pore_network(packing, {}, clock);
+}
+
+ThroatMeasures one_by_one(const PoreNetwork& network, std::size_t t) {
+  return measure_throat(network.walls, network.sites.spheres, network.throats.vertices[t],
+                        network.pores.centre[network.throats.pores[t][0]], network.centre_ahead(t));
+}
+
+Packing grown(double growth, double ratio) {
+  Packing packing =
+      random_packing({.spheres = 150, .solid_fraction = .4, .radius_ratio = ratio, .seed = 11, .size = .01});
+  for (auto& sphere : packing.spheres)
+    sphere.radius *= growth;
+  return packing;
+}
+
+TEST(ThroatMeasures, AreTheSameInBlocks) {
+  for (const Packing& packing :
+       {packing_from("g200.txt"), grown(1, 1), grown(1.1, 1.5), grown(1, 20), grown(1.1, 20)}) {
+    const PoreNetwork network = network_of(packing);
+    const double side = packing.box.size().x();
+    for (std::size_t t = 0; t < network.throats.interior; ++t) {
+      const ThroatMeasures throat = one_by_one(network, t);
+      EXPECT_NEAR(network.throats.fluid_area[t], throat.plane.fluid_area(), 1e-13 * side * side);
+      EXPECT_NEAR(network.throats.length[t], throat.length, 1e-12 * side);
+      EXPECT_NEAR(network.throats.void_volume[t], throat.behind.void_volume + throat.ahead.void_volume,
+                  1e-12 * side * side * side);
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(network.throats.wetted_surface[t][c], throat.wetted[c], 1e-12 * side * side);
+    }
+    visit_planes(network, [&](std::size_t t, const ThroatPlane& plane) {
+      const ThroatPlane other = measure_plane(network.walls, network.sites.spheres, network.throats.vertices[t]);
+      EXPECT_NEAR(plane.area, other.area, 1e-13 * side * side);
+      EXPECT_NEAR((plane.normal - other.normal).norm(), 0, 1e-9);
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(plane.sector[c], other.sector[c], 1e-13 * side * side);
+    });
+  }
+}
+
+TEST(ThroatMeasures, GiveEveryFacetASectionThatIsNotNegative) { // lenses and reaches included
+  for (const double ratio : {1.0, 5.0, 20.0})
+    for (const double growth : {1.0, 1.04, 1.1}) {
+      const PoreNetwork network = network_of(grown(growth, ratio));
+      const double side = network.box.size().x();
+      std::size_t negative = 0;
+      for (const double area : network.throats.fluid_area)
+        negative += area < -1e-12 * side * side;
+      EXPECT_LE(negative, network.throats.size() / 500) << ratio << ' ' << growth; // three discs in one point
+    }
+}
+
+/// Wall less the discs in which it cuts spheres.
+double free_wall(const Packing& packing, Face face) {
+  const int axis = index(axis_of(face));
+  double area = packing.box.volume() / packing.box.size()[axis];
+  for (const auto& [centre, radius] : packing.spheres) {
+    const double distance =
+        is_upper(face) ? packing.box.upper[axis] - centre[axis] : centre[axis] - packing.box.lower[axis];
+    if (distance < radius)
+      area -= std::numbers::pi * (radius - distance) * (radius + distance);
+  }
+  return area;
+}
+
+TEST(ThroatMeasures, GiveEveryWallItsWettedSurface) {
+  const Packing cut{{{0, 0, 0}, {1, 2, 3}}, {{{.6, .5, .1}, .2}, {{.7, 1.5, 2.8}, .25}, {{.5, 1, 1.5}, .3}}};
+  for (const Packing& packing : {packing_from("g200.txt"), grown(1, 3), cut}) {
+    const PoreNetwork network = network_of(packing);
+    std::array<double, 6> wetted{};
+    for (std::size_t t = network.throats.interior; t < network.throats.size(); ++t)
+      for (int c = 0; c < 3; ++c)
+        if (const Vertex v = network.throats.vertices[t][c]; is_wall(v))
+          wetted[index(face_of(v))] += network.throats.wetted_surface[t][c];
+    for (const Face face : all_faces)
+      EXPECT_NEAR(wetted[index(face)] / free_wall(packing, face), 1, 1e-10) << face_names[index(face)];
+  }
+}
+
+} // namespace
