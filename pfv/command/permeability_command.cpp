@@ -72,7 +72,8 @@ void add_permeability_command(CLI::App& app) {
   command->add_option("--axis", options->axis,
                       "flow along x, y or z; by default a packing has z, under a drop of 1 Pa");
   command->add_option("--periodic", options->periodic, "axes along which the box repeats: x,y,z or fewer")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command->add_option("--viscosity", options->viscosity, "of the fluid (Pa s)");
   command->add_option("--solver", options->how.solver, "auto, cholmod or gauss-seidel");
   command->add_option("--walls", options->how.walls, list_of(names_of<WallRule>()));

@@ -1,5 +1,6 @@
 #include "pfv/flow/flow_matrix.hpp"
 
+#include <tuple>
 #include <utility>
 #include <vector>
 

@@ -95,7 +95,8 @@ void add_compare(CLI::App& app, Invocation& invocation) {
   command->add_option("case", options->file, "Case in TOML, or packing in text or CSV")->required();
   command->add_option("--axis", options->axis, "Of the flow: x, y or z (the default of a packing)");
   command->add_option("--periodic", options->periodic, "Axes along which the box repeats: x,y,z or fewer")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command->add_option("--methods", options->methods, "Which, a,b,...; all by default")->delimiter(',');
   command->add_option("--mesh-sizes", options->mesh_sizes, "Of the methods with a mesh; 1 is the default mesh")
       ->delimiter(',')
