@@ -30,20 +30,8 @@ std::string remedies(const SteadyFlow& flow) {
   return lines.empty() ? lines : "remedies\n" + lines;
 }
 
-nlohmann::ordered_json or_null(const std::optional<double>& value) {
-  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
-}
-
 nlohmann::ordered_json list(const Vec3& vector) {
   return {vector.x(), vector.y(), vector.z()};
-}
-
-template <typename Value>
-nlohmann::ordered_json by_face(const Value& value) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::object();
-  for (const Face face : all_faces)
-    json[std::string(face_names[index(face)])] = value(index(face));
-  return json;
 }
 
 } // namespace
@@ -87,14 +75,20 @@ std::string json_report(const Case& problem, const FlowOptions& options, const S
   json["throats"] = flow.network.throats.size();
   json["unknowns"] = flow.system.unknowns();
   json["porosity"] = flow.network.porosity();
-  json["permeability"] = or_null(flow.permeability);
+  json["permeability"] = flow.permeability ? nlohmann::ordered_json(*flow.permeability) : nullptr;
   json["flux_in"] = flow.flux_in;
   json["flux_out"] = flow.flux_out;
   json["flux_imbalance"] = flow.imbalance();
-  json["face_flux"] = by_face([&](int face) { return flow.face_flux[face]; });
-  json["face_pressure"] = by_face([&](int face) { return or_null(flow.pumped[face]); });
-  json["point_flux"] = flow.point_flux;
-  json["mean_flux"] = flow.mean_flux ? list(*flow.mean_flux) : nlohmann::ordered_json(nullptr);
+  for (const Face face : all_faces) {
+    const std::string name(face_names[index(face)]);
+    json["face_flux"][name] = flow.face_flux[index(face)];
+    if (const auto pressure = flow.pumped[index(face)])
+      json["face_pressure"][name] = *pressure;
+  }
+  if (!flow.point_flux.empty())
+    json["point_flux"] = flow.point_flux;
+  if (flow.mean_flux)
+    json["mean_flux"] = list(*flow.mean_flux);
   const Vec3 force = total_force(flow.forces);
   json["force_on_spheres"] = list(force);
   json["contracted_throats"] = flow.system.contracted_throats;

@@ -72,7 +72,7 @@ TEST(PermeabilityCommand, RepeatsTheBox) {
   EXPECT_NEAR(json["mean_flux"][0], -5.1270e-4 * 0.75, 1e-8);
   const TemporaryFile walls("walls.toml", lattice + "[flow]\naxis = \"x\"\n");
   EXPECT_NEAR(answer("--periodic x,y,z " + walls.path().string())["permeability"], json["permeability"], 1e-12);
-  EXPECT_TRUE(answer(walls.path().string())["mean_flux"].is_null());
+  EXPECT_FALSE(answer(walls.path().string()).contains("mean_flux"));
   EXPECT_NE(permeability(file.path().string()).output.find("mean flux"), std::string::npos);
 }
 
@@ -81,7 +81,7 @@ TEST(PermeabilityCommand, ReportsThePressureOfAPump) {
   const auto json = answer(file.path().string());
   EXPECT_NEAR(json["face_flux"]["z_max"], -1e-3, 1e-15);
   EXPECT_NEAR(json["face_pressure"]["z_max"], 2 + 1e-3 / (5.1270e-4 * 0.75), 1e-3);
-  EXPECT_TRUE(json["face_pressure"]["z_min"].is_null());
+  EXPECT_FALSE(json["face_pressure"].contains("z_min"));
   EXPECT_NEAR(json["permeability"], 5.1270e-4 * 0.75, 1e-8);
   EXPECT_NE(permeability(file.path().string()).output.find("pumped face"), std::string::npos);
 }

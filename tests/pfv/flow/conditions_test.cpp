@@ -107,7 +107,7 @@ TEST(ContainingPore, HoldsTheMeanOfItsCorners) {
     ++tested;
   }
   EXPECT_GT(tested, 300);
-  for (const Vec3 corner : {Vec3(0, 0, 0), Vec3(1, 0, 1), Vec3(1, 1, 1)}) {
+  for (const Vec3& corner : {Vec3(0, 0, 0), Vec3(1, 0, 1), Vec3(1, 1, 1)}) {
     const auto pore = static_cast<std::size_t>(containing_pore(network, corner).pore);
     EXPECT_TRUE(network.pores.touches(pore, corner.x() > 0 ? Face::x_max : Face::x_min));
     EXPECT_TRUE(network.pores.touches(pore, corner.z() > 0 ? Face::z_max : Face::z_min));

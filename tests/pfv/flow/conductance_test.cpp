@@ -53,8 +53,9 @@ TEST(WallRules, LeaveInteriorThroatsAloneAndOrderTheOthers) {
       continue;
     }
     const auto walls = std::ranges::count_if(network.throats.vertices[t], is_wall);
-    if (network.throats.void_volume[t] > 0 && network.throats.fluid_area[t] > 0)
-      EXPECT_NEAR(original[t] / mirror[t], std::pow(2, -0.5 * static_cast<double>(walls)), 1e-14);
+    const bool follows_the_rule = network.throats.void_volume[t] > 0 && network.throats.fluid_area[t] > 0;
+    const double factor = std::pow(2, -0.5 * static_cast<double>(walls));
+    EXPECT_TRUE(!follows_the_rule || std::abs(original[t] / mirror[t] - factor) < 1e-14);
     slower += no_slip[t] < mirror[t];
   }
   EXPECT_GT(slower, 0.9 * static_cast<double>(mirror.size() - network.throats.interior));
