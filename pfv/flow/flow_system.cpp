@@ -1,6 +1,7 @@
 #include "pfv/flow/flow_system.hpp"
 
 #include "pfv/flow/known_pressures.hpp"
+#include "pfv/flow/link_matrix.hpp"
 #include "pfv/flow/pore_groups.hpp"
 
 #include <algorithm>

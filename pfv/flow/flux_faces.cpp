@@ -11,6 +11,10 @@ namespace {
 
 constexpr double no_way = 1e-12; // of what the pores on a face would conduct
 
+Eigen::VectorXd solved(FlowSolver& solver, const Eigen::VectorXd& right_side) {
+  return solver.solve(right_side);
+}
+
 std::vector<Face> flux_faces(const FaceConditions& faces) {
   std::vector<Face> found;
   for (const Face face : all_faces)
@@ -55,7 +59,7 @@ std::vector<double> with_unknowns(std::vector<double> pressure, const FlowSystem
 } // namespace
 
 Eigen::VectorXd solve_with_flux_faces(const PoreNetwork& network, FlowSystem& system, FlowSolver& solver) {
-  Eigen::VectorXd solution = solver.solve(system.right_side);
+  Eigen::VectorXd solution = solved(solver, system.right_side);
   const std::vector<Face> faces = flux_faces(system.faces);
   if (faces.empty())
     return solution;
@@ -75,7 +79,7 @@ Eigen::VectorXd solve_with_flux_faces(const PoreNetwork& network, FlowSystem& sy
     const double value = std::get<Flux>(system.faces[index(faces[f])]).value;
     missing[f] -= value;
     const Response response = response_to(faces[f], network, system);
-    responses.col(f) = solver.solve(response.right_side);
+    responses.col(f) = solved(solver, response.right_side);
     conductance.col(f) = fluxes(with_unknowns(response.known, system, responses.col(f)));
     if (!(std::abs(conductance(f, f)) > no_way * response.conductance))
       throw SolveError(fmt::format("flux {} m^3/s of {} has no way to a face or point with a pressure", value,

@@ -114,7 +114,8 @@ TEST_P(EveryLattice, IsTheSameInAPeriodicBox) {
     EXPECT_NEAR(*answer(problem).permeability / *answer(cut).permeability, 1, 1e-14);
     EXPECT_NEAR(answer(problem).face_flux[4] / answer(cut).face_flux[4], 1, 1e-14);
     pfv::Vec3 force = pfv::Vec3::Zero();
-    for (const pfv::Vec3& one : *answer(problem).sphere_forces)
+    const Answer all = answer(problem);
+    for (const pfv::Vec3& one : *all.sphere_forces)
       force += one;
     EXPECT_NEAR(force.z(), -4, 1e-12);
   }

@@ -1,4 +1,4 @@
-#include "pfv/flow/flow_matrix.hpp"
+#include "pfv/flow/link_matrix.hpp"
 
 #include <tuple>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "pfv/flow/flow_matrix.hpp"
+#include "pfv/flow/link_matrix.hpp"
 
 #include <gtest/gtest.h>
 #include <random>
@@ -47,7 +47,7 @@ std::vector<Link> random_links(int n, int count, std::uint64_t seed) {
   return links;
 }
 
-TEST(FlowMatrix, IsTheSumOfItsLinks) {
+TEST(LinkMatrix, IsTheSumOfItsLinks) {
   for (const auto& [n, count] : {std::pair{1, 3}, {5, 40}, {20, 2000}, {300, 900}}) {
     const auto links = random_links(n, count, 7);
     const FlowMatrix matrix = matrix_of(n, visitor(links));
@@ -59,13 +59,13 @@ TEST(FlowMatrix, IsTheSumOfItsLinks) {
   }
 }
 
-TEST(FlowMatrix, MayBeEmpty) {
+TEST(LinkMatrix, MayBeEmpty) {
   const FlowMatrix matrix = matrix_of(0, visitor({{-1, -1, 3}}));
   EXPECT_EQ(matrix.rows(), 0);
   EXPECT_EQ(matrix.nonZeros(), 0);
 }
 
-TEST(FlowMatrix, TakesNewValuesInPlace) {
+TEST(LinkMatrix, TakesNewValuesInPlace) {
   auto links = random_links(30, 200, 1);
   FlowMatrix matrix = matrix_of(30, visitor(links));
   for (auto& link : links)
@@ -74,7 +74,7 @@ TEST(FlowMatrix, TakesNewValuesInPlace) {
   EXPECT_EQ((Eigen::MatrixXd(matrix) - dense(30, links)).norm(), 0);
 }
 
-TEST(FlowMatrix, SaysWhenALinkHasNoEntry) {
+TEST(LinkMatrix, SaysWhenALinkHasNoEntry) {
   FlowMatrix matrix = matrix_of(3, visitor({{0, 1, 1.0}}));
   EXPECT_FALSE(refill(matrix, visitor({{0, 2, 1.0}})));
 }
