@@ -96,7 +96,8 @@ void add_permeability_command(CLI::App& app) {
   command->add_option("FILE", options->file, "packing (text or CSV) or case (TOML)")->required();
   command->add_option("--axis", options->axis, "flow along x, y or z: pressure 1 on the upper face, 0 on the lower");
   command->add_option("--viscosity", options->viscosity, "of the fluid (Pa s)");
-  command->add_option("--solver", options->solver, "auto, cholmod or gauss-seidel")->capture_default_str();
+  command->add_option("--solver", options->solver, "auto, cholmod, gauss-seidel, amg or multigrid")
+      ->capture_default_str();
   command->add_option("--walls", options->walls, "mirror, or original: the factors of the original implementation")
       ->capture_default_str();
   command->add_option("--forces", options->forces_file, "write the force on every sphere to this CSV file (N)");

@@ -85,7 +85,7 @@ int number_unknowns(const PoreNetwork& network, const FaceConditions& faces, Por
 void fill(const PoreNetwork& network, int unknowns, FlowSystem& system) {
   system.right_side = Eigen::VectorXd::Zero(unknowns);
   std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(3 * network.throats.size());
+  entries.reserve(4 * network.throats.size());
   for (std::size_t t = 0; t < network.throats.size(); ++t) {
     const double k = system.conductance[t];
     if (k == 0)
@@ -96,9 +96,10 @@ void fill(const PoreNetwork& network, int unknowns, FlowSystem& system) {
       entries.emplace_back(a, a, k);
     if (b >= 0)
       entries.emplace_back(b, b, k);
-    if (a >= 0 && b >= 0)
-      entries.emplace_back(std::max(a, b), std::min(a, b), -k);
-    else if (a >= 0)
+    if (a >= 0 && b >= 0) {
+      entries.emplace_back(a, b, -k);
+      entries.emplace_back(b, a, -k);
+    } else if (a >= 0)
       system.right_side[a] += k * system.known_pressure[j];
     else if (b >= 0)
       system.right_side[b] += k * system.known_pressure[i];

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "pfv/flow/conductance.hpp"
+#include "pfv/flow/flow_matrix.hpp"
 #include "pfv/pores/pore_network.hpp"
 #include "pfv/problem/face.hpp"
 
-#include <Eigen/SparseCore>
 #include <cstddef>
 #include <vector>
 
@@ -25,7 +25,7 @@ struct FlowSystem {
   std::vector<int> unknown_of_pore;
   std::vector<double> known_pressure; // Pa by pore; the mean of the faces for isolated pores
   std::vector<int> face_of_pore;      // index(Face) of the face that gives the pressure, or -1
-  Eigen::SparseMatrix<double> matrix; // m^3/(Pa s), lower triangle
+  FlowMatrix matrix;                  // m^3/(Pa s)
   Eigen::VectorXd right_side;         // m^3/s
 
   std::size_t contracted_throats = 0;

@@ -35,11 +35,14 @@ SteadyFlow solve_steady_flow(const Case& problem, const FlowOptions& options, Cl
   const auto solver = make_solver(options.solver);
   {
     const auto timing = clock.stage("factor");
+    solver->analyse(flow.system.matrix);
     solver->factor(flow.system.matrix);
   }
   {
     const auto timing = clock.stage("solve");
-    flow.pressure = pore_pressures(flow.system, solver->solve(flow.system.right_side));
+    Eigen::VectorXd solution;
+    solver->solve(flow.system.right_side, solution);
+    flow.pressure = pore_pressures(flow.system, solution);
     flow.solver = solver->report();
     flow.face_flux = face_fluxes(flow.network, flow.system, flow.pressure);
   }
