@@ -118,8 +118,10 @@ Interpolation interpolation(const MatrixView<Value>& matrix) {
     for (int e = matrix.start[i]; e < matrix.start[i + 1]; ++e)
       if (matrix.column[e] == i)
         diagonal = matrix.value[e];
+    if (!(diagonal > 0))
+      continue; // rounding has left nothing of it
     for (int e = matrix.start[i]; e < matrix.start[i + 1]; ++e)
-      if (const int of_neighbour = clusters.of_row[matrix.column[e]]; matrix.value[e] < 0 && of_neighbour != none)
+      if (const int of_neighbour = clusters.of_row[matrix.column[e]]; matrix.column[e] != i && of_neighbour != none)
         two_largest.add(of_neighbour, static_cast<float>(-matrix.value[e] / diagonal));
     result.parents[i] = two_largest.take();
   }

@@ -23,8 +23,8 @@ struct Interpolation {
 /// widest throat. Unknowns that follow their strongest neighbour make clusters of four or little more, around a pair
 /// that is strongest to both. One of the pair is the root and keeps the pressure of the cluster; every other unknown
 /// gets the pressure that balances its fluxes when each neighbour has the pressure of its own cluster (a step of
-/// Jacobi; cf. Ruge & Stueben 1987, section 4.6), less all but the two largest weights, which make up for the rest.
-/// Unknowns without neighbours are left out: Gauss-Seidel solves them.
+/// Jacobi, as in the Jacobi interpolation of Stueben 2001), less all but the two largest weights, which make up for the
+/// rest. Unknowns without neighbours are left out: Gauss-Seidel solves them.
 template <class Value>
 Interpolation interpolation(const MatrixView<Value>& matrix);
 
