@@ -3,7 +3,6 @@
 #if defined(__linux__) && defined(__GLIBC__)
 #include <cstdint>
 #include <cstdlib>
-#include <limits>
 #include <malloc.h>
 #include <sys/mman.h>
 
@@ -15,7 +14,7 @@ void prefer_huge_pages(std::size_t bytes) {
     return;
   // All in the one heap, which keeps what it has: only so do later arrays reuse the pages of earlier ones.
   mallopt(M_MMAP_MAX, 0);
-  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+  mallopt(M_TRIM_THRESHOLD, -1); // never
   void* memory = std::malloc(bytes);
   if (!memory)
     return;

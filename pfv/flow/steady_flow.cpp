@@ -38,6 +38,20 @@ std::optional<double> permeability(const Case& problem, const SteadyFlow& flow) 
   return problem.fluid.viscosity * flow.face_flux[lower] * setup->length / (setup->area * drop);
 }
 
+/// The unknowns where the pressure would be if it fell evenly from face to face; nothing when that is not the question.
+Eigen::VectorXd even_fall(const Case& problem, const SteadyFlow& flow) {
+  const auto setup = permeability_setup(problem);
+  if (!setup || !setup->pressure_drop || !imposed_gradient(problem.faces).isZero(0))
+    return {};
+  const int axis = index(setup->axis);
+  const double middle = 0.5 * (flow.network.box.lower[axis] + flow.network.box.upper[axis]);
+  Eigen::VectorXd guess = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(flow.system.unknowns()));
+  for (std::size_t i = 0; i < flow.network.pores.size(); ++i)
+    if (const int unknown = flow.system.unknown_of_pore[i]; unknown >= 0)
+      guess[unknown] = *setup->pressure_drop * (flow.network.pores.centre[i][axis] - middle) / setup->length;
+  return guess;
+}
+
 void set_fluxes(SteadyFlow& flow) {
   const Outflow out = outflow(flow.network, flow.system, flow.pressure);
   flow.face_flux = out.face;
@@ -78,6 +92,7 @@ FollowedFlow::FollowedFlow(const Case& problem, const FlowOptions& options, Cloc
     flow_.system = assemble(flow_.network, std::move(throats), question_.faces, question_.pressure_points);
   }
   factor(clock);
+  solution_ = even_fall(question_, flow_);
   solve(clock);
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace pfv {
@@ -16,7 +17,7 @@ constexpr int most_layers = 100; // an image's shift is one byte
 /// Coordinates on a grid fine enough not to matter and coarse enough that a shift by box sizes is exact, so that the
 /// ties of a lattice are broken alike in all images.
 double on_grid(double length) {
-  return std::round(length * 0x1p46) * 0x1p-46;
+  return std::round(length * 0x1p49) * 0x1p-49;
 }
 
 Packing on_grid(Packing packing) {
@@ -26,11 +27,41 @@ Packing on_grid(Packing packing) {
   return packing;
 }
 
+/// Takes out spheres whose centres, or images, are one point of the grid with that of a larger one: they are hidden,
+/// but which one of equals would be left to chance in each image.
+void drop_coincident(Sites& sites, const Vec3& size, const PeriodicAxes& periodic) {
+  const auto place = [&](int s) {
+    std::array<double, 4> key{0, 0, 0, -sites.spheres[s].radius};
+    for (int axis = 0; axis < 3; ++axis) {
+      const double at = sites.spheres[s].centre[axis];
+      key[axis] = periodic[axis] && at >= size[axis] ? at - size[axis] : at;
+    }
+    return key;
+  };
+  std::vector<int> order(sites.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, place);
+  std::vector<bool> hidden(sites.size(), false);
+  for (std::size_t n = 1; n < order.size(); ++n) {
+    const auto before = place(order[n - 1]), here = place(order[n]);
+    hidden[order[n]] = std::equal(here.begin(), here.begin() + 3, before.begin());
+  }
+  std::size_t count = 0;
+  for (std::size_t s = 0; s < sites.size(); ++s)
+    if (!hidden[s]) {
+      sites.spheres[count] = sites.spheres[s];
+      sites.number[count++] = sites.number[s];
+    }
+  sites.spheres.resize(count);
+  sites.number.resize(count);
+}
+
 /// The sites of the packing and all their images at most `margin` outside the box.
 Sites with_images(const Packing& packing, const PeriodicAxes& periodic, double margin) {
-  Sites sites = sites_of(packing);
-  const std::size_t own = sites.size();
   const Vec3 size = packing.box.size();
+  Sites sites = sites_of(packing);
+  drop_coincident(sites, size, periodic);
+  const std::size_t own = sites.size();
   sites.shift.assign(own, Shift{});
   std::array<int, 3> layers;
   for (int axis = 0; axis < 3; ++axis)
@@ -161,9 +192,9 @@ Triangulation kept_once(const Triangulation& all, const Sites& sites) {
 }
 
 /// Drops the images that no cell needs.
-void drop_unused(Triangulation& cells, std::size_t own) {
+void drop_unused(Triangulation& cells) {
   std::vector<int> used(cells.sites.size(), -1);
-  for (std::size_t s = 0; s < own; ++s)
+  for (std::size_t s = 0; s < used.size() && cells.sites.shift[s] == Shift{}; ++s)
     used[s] = 0;
   for (const auto& cell : cells.cells)
     for (const Vertex v : cell)
@@ -207,7 +238,7 @@ Triangulation periodic_cells(const Packing& in_units, const PeriodicAxes& period
       continue;
     Triangulation kept = kept_once(all, sites);
     kept.sites = std::move(sites);
-    drop_unused(kept, packing.spheres.size());
+    drop_unused(kept);
     return kept;
   }
 }

@@ -18,10 +18,11 @@ bool one_line(const std::exception& error) {
 }
 
 void expect_sound(const SteadyFlow& flow) {
-  for (const double pressure : flow.pressure) {
-    ASSERT_GE(pressure, -1e-9);
-    ASSERT_LE(pressure, 1 + 1e-9);
-  }
+  if (flow.system.rise.isZero(0)) // else the pressure rises from box to box without end
+    for (const double pressure : flow.pressure) {
+      ASSERT_GE(pressure, -1e-9);
+      ASSERT_LE(pressure, 1 + 1e-9);
+    }
   ASSERT_TRUE(std::isfinite(flow.flux_in) && std::isfinite(flow.flux_out));
   const double most = std::max(flow.flux_in, flow.flux_out);
   ASSERT_LE(std::abs(flow.flux_in - flow.flux_out), 1e-8 * most);
@@ -37,7 +38,9 @@ TEST(HardPackings, AreAnsweredSoundlyOrRefusedInOneLine) {
   for (int n = 0; n < count; ++n) {
     SCOPED_TRACE("packing " + std::to_string(n));
     HardPackings packings(n);
-    const Case problem = flow_through(packings.next(), static_cast<Axis>(n % 3));
+    Case problem;
+    problem.packing = packings.next();
+    problem.faces = flow_along(static_cast<Axis>(n % 3), 1, packings.periodic(), problem.packing.box);
     try {
       validate(problem);
       const SteadyFlow flow = solved(problem);

@@ -115,7 +115,7 @@ TEST(SolverAgreement, StartsFromTheFirstGuess) {
     EXPECT_LE(solver->report().iterations, std::max(1, cold / 4)) << engine;
     pressure = Eigen::VectorXd::Constant(reference.size(), -1e3);
     solver->solve(system.right_side, pressure);
-    EXPECT_LT((pressure - reference).lpNorm<Eigen::Infinity>(), 1e-8 * reference.lpNorm<Eigen::Infinity>()) << engine;
+    EXPECT_LT((pressure - reference).lpNorm<Eigen::Infinity>(), 1e-8) << engine; // of a drop of 1 Pa
   }
 }
 

@@ -41,7 +41,7 @@ TEST(Follow, GivesTheNetworkOfTheMovedSpheres) {
   for (const PeriodicAxes periodic :
        {PeriodicAxes{}, PeriodicAxes{true, false, true}, PeriodicAxes{true, true, true}}) {
     const Packing packing = random_packing({.spheres = 200, .solid_fraction = .45, .radius_ratio = 2, .seed = 2});
-    const Packing moved = swollen(packing, 1.25);
+    const Packing moved = swollen(packing, 2);
     Clock clock;
     PoreNetwork network = build_pore_network(packing, periodic, clock);
     follow(network, moved, clock);
@@ -49,7 +49,7 @@ TEST(Follow, GivesTheNetworkOfTheMovedSpheres) {
     ASSERT_EQ(network.throats.pores, anew.throats.pores);
     EXPECT_NEAR(network.porosity(), anew.porosity(), 1e-12);
     for (std::size_t t = 0; t < anew.throats.size(); ++t) {
-      EXPECT_NEAR(network.throats.void_volume[t], anew.throats.void_volume[t], 1e-12);
+      EXPECT_NEAR(network.throats.void_volume[t], anew.throats.void_volume[t], 1e-11);
       EXPECT_NEAR(network.throats.length[t], anew.throats.length[t], 1e-12);
     }
     EXPECT_EQ(network.inverted_throats, 0u);
