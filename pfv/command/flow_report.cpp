@@ -1,5 +1,7 @@
 #include "pfv/command/flow_report.hpp"
 
+#include "pfv/flow/choice.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -21,14 +23,20 @@ std::string remedies(const SteadyFlow& flow) {
   };
   line(flow.system.contracted_throats, "throats contracted: their two pores (nearly) coincide");
   line(flow.system.raised_throats, "throats without fluid area, raised to 1e-6 of the median conductance");
-  line(flow.system.isolated_pores, "pores isolated: no throat leads to a face with a pressure");
+  line(flow.system.rounded_throats, "throats with a lost void or wetted surface, taken for round tubes");
+  line(flow.system.isolated_pores, "pores isolated: no throat leads to a known pressure");
+  line(flow.system.held_pores, "pores held at zero: nothing else sets the level of the pressure");
   line(flow.network.hidden_spheres.size(), "spheres hidden by others: they feel no fluid force");
   return lines.empty() ? lines : "remedies\n" + lines;
 }
 
+nlohmann::ordered_json list(const Vec3& vector) {
+  return {vector.x(), vector.y(), vector.z()};
+}
+
 } // namespace
 
-std::string text_report(const Case& problem, const SteadyFlow& flow, const Clock& clock) {
+std::string text_report(const Case& problem, const FlowOptions& options, const SteadyFlow& flow, const Clock& clock) {
   const Vec3 force = total_force(flow.forces);
   std::string text;
   const auto line = [&](const char* what, const std::string& value) { text += fmt::format("{:<14}{}\n", what, value); };
@@ -39,8 +47,17 @@ std::string text_report(const Case& problem, const SteadyFlow& flow, const Clock
   if (flow.permeability)
     line("permeability", fmt::format("{:.6e} m^2", *flow.permeability));
   line("flux in", fmt::format("{:.6e} m^3/s", flow.flux_in));
-  line("flux out", fmt::format("{:.6e} m^3/s (in/out - 1 = {:.1e})", flow.flux_out, flow.flux_in / flow.flux_out - 1));
+  line("flux out", fmt::format("{:.6e} m^3/s (imbalance {:.1e})", flow.flux_out, flow.imbalance()));
+  for (const Face face : all_faces)
+    if (const auto pressure = flow.pumped[index(face)])
+      line("pumped face", fmt::format("{} at {:.6e} Pa", face_names[index(face)], *pressure));
+  for (std::size_t n = 0; n < flow.point_flux.size(); ++n)
+    line("point", fmt::format("{} takes out {:.6e} m^3/s", n, flow.point_flux[n]));
+  if (flow.mean_flux)
+    line("mean flux",
+         fmt::format("{:.6e} {:.6e} {:.6e} m/s", flow.mean_flux->x(), flow.mean_flux->y(), flow.mean_flux->z()));
   line("force", fmt::format("{:.6g} {:.6g} {:.6g} N on all spheres", force.x(), force.y(), force.z()));
+  line("rules", fmt::format("conductance {}, walls {}", name_of(options.conductance), name_of(options.walls)));
   line("solver", fmt::format("{}, residual {:.1e}", flow.solver.name, flow.solver.residual));
   text += remedies(flow);
   text += "cpu seconds\n";
@@ -49,7 +66,7 @@ std::string text_report(const Case& problem, const SteadyFlow& flow, const Clock
   return text;
 }
 
-std::string json_report(const Case& problem, const SteadyFlow& flow, const Clock& clock) {
+std::string json_report(const Case& problem, const FlowOptions& options, const SteadyFlow& flow, const Clock& clock) {
   nlohmann::ordered_json json;
   json["case"] = problem.name;
   json["digest"] = digest(problem);
@@ -61,12 +78,27 @@ std::string json_report(const Case& problem, const SteadyFlow& flow, const Clock
   json["permeability"] = flow.permeability ? nlohmann::ordered_json(*flow.permeability) : nullptr;
   json["flux_in"] = flow.flux_in;
   json["flux_out"] = flow.flux_out;
+  json["flux_imbalance"] = flow.imbalance();
+  for (const Face face : all_faces) {
+    const std::string name(face_names[index(face)]);
+    json["face_flux"][name] = flow.face_flux[index(face)];
+    if (const auto pressure = flow.pumped[index(face)])
+      json["face_pressure"][name] = *pressure;
+  }
+  if (!flow.point_flux.empty())
+    json["point_flux"] = flow.point_flux;
+  if (flow.mean_flux)
+    json["mean_flux"] = list(*flow.mean_flux);
   const Vec3 force = total_force(flow.forces);
-  json["force_on_spheres"] = {force.x(), force.y(), force.z()};
+  json["force_on_spheres"] = list(force);
   json["contracted_throats"] = flow.system.contracted_throats;
   json["raised_throats"] = flow.system.raised_throats;
+  json["rounded_throats"] = flow.system.rounded_throats;
   json["isolated_pores"] = flow.system.isolated_pores;
+  json["held_pores"] = flow.system.held_pores;
   json["hidden_spheres"] = flow.network.hidden_spheres;
+  json["conductance"] = name_of(options.conductance);
+  json["walls"] = name_of(options.walls);
   json["solver"] = {{"name", flow.solver.name},
                     {"iterations", flow.solver.iterations},
                     {"factor_entries", flow.solver.factor_entries},

@@ -7,9 +7,11 @@
 namespace pfv {
 
 /// The answer as a page of text.
-std::string text_report(const Case& problem, const SteadyFlow& flow, const Clock& clock);
+std::string text_report(const Case& problem, const FlowOptions& options, const SteadyFlow& flow, const Clock& clock);
 
-/// The answer as one JSON object, SI units. `permeability` is null when the faces are no permeability test.
-std::string json_report(const Case& problem, const SteadyFlow& flow, const Clock& clock);
+/// The answer as one JSON object, SI units. `permeability` is null when the case is no permeability test. Only there
+/// when asked: `face_pressure` of faces with an imposed flux, `point_flux` of pressure points, `mean_flux` of a
+/// periodic box.
+std::string json_report(const Case& problem, const FlowOptions& options, const SteadyFlow& flow, const Clock& clock);
 
 } // namespace pfv

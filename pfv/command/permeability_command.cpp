@@ -1,6 +1,7 @@
 #include "pfv/command/permeability_command.hpp"
 
 #include "pfv/command/flow_report.hpp"
+#include "pfv/flow/choice.hpp"
 #include "pfv/flow/steady_flow.hpp"
 #include "pfv/problem/error.hpp"
 #include "pfv/vtk/write_vtk.hpp"
@@ -17,47 +18,13 @@ namespace {
 struct Options {
   std::string file;
   std::optional<std::string> axis;
+  std::vector<std::string> periodic;
   std::optional<double> viscosity;
-  std::string solver = "auto";
-  std::string walls = "mirror";
+  FlowOptionNames how;
   std::string forces_file;
   std::string vtk_folder;
   bool json = false;
 };
-
-Axis axis_named(const std::string& name) {
-  for (const Axis axis : {Axis::x, Axis::y, Axis::z})
-    if (name == axis_names[index(axis)])
-      return axis;
-  throw InputError(fmt::format("--axis \"{}\" is not one of x, y, z", name));
-}
-
-WallRule walls_named(const std::string& name) {
-  if (name == "mirror")
-    return MirrorWalls{};
-  if (name == "original")
-    return OriginalWalls{};
-  throw InputError(fmt::format("--walls \"{}\" is not one of mirror, original", name));
-}
-
-/// A case file as it stands, or a bare packing with flow along z; options given on the command line win.
-Case read_question(const Options& options) {
-  const std::filesystem::path file = options.file;
-  Case problem;
-  if (file.extension() == ".toml") {
-    problem = read_case(file);
-  } else {
-    problem.name = file.stem().string();
-    problem.packing = read_packing(file);
-    problem.faces = flow_along(Axis::z);
-  }
-  if (options.axis)
-    problem.faces = flow_along(axis_named(*options.axis));
-  if (options.viscosity)
-    problem.fluid.viscosity = *options.viscosity;
-  validate(problem);
-  return problem;
-}
 
 void write_forces(const std::string& file, const FluidForces& forces) {
   std::ofstream out(file);
@@ -74,18 +41,26 @@ void write_forces(const std::string& file, const FluidForces& forces) {
     throw InputError(fmt::format("--forces \"{}\" could not be written to its end", file));
 }
 
+QuestionOptions question(const Options& options) {
+  QuestionOptions said;
+  if (options.axis)
+    said.axis = axis_named(*options.axis);
+  if (!options.periodic.empty())
+    said.periodic = axes_named(options.periodic);
+  said.viscosity = options.viscosity;
+  return said;
+}
+
 void run(const Options& options) {
-  FlowOptions how;
-  how.solver = solver_named(options.solver);
-  how.walls = walls_named(options.walls);
-  const Case problem = read_question(options);
+  const FlowOptions how = read_flow_options(options.file, options.how);
+  const Case problem = read_question(options.file, question(options));
   Clock clock;
   const SteadyFlow flow = solve_steady_flow(problem, how, clock);
   if (!options.forces_file.empty())
     write_forces(options.forces_file, flow.forces);
   if (!options.vtk_folder.empty())
     write_vtk(options.vtk_folder, problem.packing, flow);
-  fmt::print("{}", options.json ? json_report(problem, flow, clock) : text_report(problem, flow, clock));
+  fmt::print("{}", options.json ? json_report(problem, how, flow, clock) : text_report(problem, how, flow, clock));
 }
 
 } // namespace
@@ -94,11 +69,15 @@ void add_permeability_command(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("permeability", "Steady flow through a packing: permeability and forces");
   command->add_option("FILE", options->file, "packing (text or CSV) or case (TOML)")->required();
-  command->add_option("--axis", options->axis, "flow along x, y or z: pressure 1 on the upper face, 0 on the lower");
+  command->add_option("--axis", options->axis,
+                      "flow along x, y or z; by default a packing has z, under a drop of 1 Pa");
+  command->add_option("--periodic", options->periodic, "axes along which the box repeats: x,y,z or fewer")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command->add_option("--viscosity", options->viscosity, "of the fluid (Pa s)");
-  command->add_option("--solver", options->solver, "auto, cholmod or gauss-seidel")->capture_default_str();
-  command->add_option("--walls", options->walls, "mirror, or original: the factors of the original implementation")
-      ->capture_default_str();
+  command->add_option("--solver", options->how.solver, "auto, cholmod or gauss-seidel");
+  command->add_option("--walls", options->how.walls, list_of(names_of<WallRule>()));
+  command->add_option("--conductance", options->how.conductance, list_of(names_of<Conductance>()));
   command->add_option("--forces", options->forces_file, "write the force on every sphere to this CSV file (N)");
   command->add_option("--vtk", options->vtk_folder, "write pores.vtu and spheres.vtp into this folder");
   command->add_flag("--json", options->json, "print one JSON object");

@@ -9,71 +9,109 @@ namespace pfv {
 namespace {
 
 constexpr double no_area = 1e-12; // of the mean fluid area
-
-double conductance(const HydraulicRadius& rule, const PoreNetwork::Throats& throats, std::size_t t, double viscosity) {
-  const double radius = throats.void_volume[t] / throats.sphere_surface(t);
-  return rule.alpha * throats.fluid_area[t] * radius * radius / (viscosity * throats.length[t]);
-}
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Hagen-Poiseuille in a round tube of a throat's section.
 double round_tube(double fluid_area, double length, double viscosity) {
   return fluid_area * fluid_area / (8 * std::numbers::pi * viscosity * length);
 }
 
-double wall_factor(const MirrorWalls&, const std::array<Vertex, 3>&) {
-  return 1;
+/// What the rule says, and less than zero where it says nothing: minus that of a round tube when only the section is
+/// sound, minus infinity when that is not either. By selects rather than branches, so that a loop over it vectorises.
+template <typename Rule>
+double conductance(const Rule& rule, double fluid_area, double void_volume, double wetted_surface, double length,
+                   double viscosity, double smallest_area) {
+  const double open = rule(fluid_area, void_volume, wetted_surface, length, viscosity);
+  const double tube = -round_tube(fluid_area, length, viscosity);
+  const double largest = std::max(std::abs(fluid_area), wetted_surface);
+  double value = std::min(void_volume, wetted_surface) > 0 ? open : tube;
+  value = fluid_area > 0 ? value : -infinite;
+  value = length > 0 ? value : infinite;
+  return largest > smallest_area ? value : 0;
 }
 
-double wall_factor(const OriginalWalls&, const std::array<Vertex, 3>& vertices) {
-  return std::pow(2, -0.5 * static_cast<double>(std::ranges::count_if(vertices, is_wall)));
+template <typename Rule>
+void fill_interior(const Rule& rule, const PoreNetwork::Throats& throats, double viscosity, double smallest_area,
+                   double* __restrict__ values) {
+  const double* __restrict__ fluid_area = throats.fluid_area.data();
+  const double* __restrict__ void_volume = throats.void_volume.data();
+  const double* __restrict__ length = throats.length.data();
+  const std::array<double, 3>* __restrict__ wetted = throats.wetted_surface.data();
+  for (std::size_t t = 0; t < throats.interior; ++t)
+    values[t] = conductance(rule, fluid_area[t], void_volume[t], wetted[t][0] + wetted[t][1] + wetted[t][2], length[t],
+                            viscosity, smallest_area);
 }
 
-double median_of(std::vector<double> values) {
-  if (values.empty())
+template <typename Rule, typename Walls>
+void fill_at_walls(const Rule& rule, const Walls& walls, const PoreNetwork::Throats& throats, double viscosity,
+                   double smallest_area, double* values) {
+  for (std::size_t t = throats.interior; t < throats.size(); ++t) {
+    double wetted = 0;
+    int cut_by = 0;
+    for (int c = 0; c < 3; ++c) {
+      const bool wall = is_wall(throats.vertices[t][c]);
+      wetted += (wall ? walls.surface : 1) * throats.wetted_surface[t][c];
+      cut_by += wall;
+    }
+    const double value = conductance(rule, throats.fluid_area[t], throats.void_volume[t], wetted, throats.length[t],
+                                     viscosity, smallest_area);
+    values[t] = value > 0 ? walls.factor[cut_by] * value : value;
+  }
+}
+
+double smallest_area(const std::vector<double>& fluid_area) {
+  double total = 0;
+  for (const double area : fluid_area)
+    total += std::abs(area);
+  return no_area * total / static_cast<double>(fluid_area.size());
+}
+
+double median_of_open(const std::vector<double>& values, std::vector<double>& part) {
+  part.resize(values.size());
+  std::size_t count = 0;
+  for (const double value : values) {
+    part[count] = value; // overwritten by the next unless it is counted
+    count += value > 0 && value < infinite;
+  }
+  if (count == 0)
     return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
+  const auto end = part.begin() + static_cast<std::ptrdiff_t>(count);
+  const auto middle = part.begin() + static_cast<std::ptrdiff_t>(count / 2);
+  std::nth_element(part.begin(), middle, end);
   return *middle;
 }
 
 } // namespace
 
-Conductances conductances(const PoreNetwork& network, const Conductance& rule, const WallRule& walls,
-                          double viscosity) {
+void update(Conductances& conductances, const PoreNetwork& network, const Conductance& rule, const WallRule& walls,
+            double viscosity) {
   const auto& throats = network.throats;
-  double total_area = 0;
-  for (const double area : throats.fluid_area)
-    total_area += std::abs(area);
-  const double smallest_area = no_area * total_area / static_cast<double>(throats.size());
-
-  Conductances result;
-  result.values.assign(throats.size(), 0);
-  std::vector<double> open_values;
-  std::vector<std::size_t> closed;
+  auto& values = conductances.values;
+  values.resize(throats.size());
+  const double smallest = smallest_area(throats.fluid_area);
   std::visit(
       [&](const auto& law, const auto& wall) {
-        for (std::size_t t = 0; t < throats.size(); ++t) {
-          if (std::abs(throats.fluid_area[t]) <= smallest_area && throats.sphere_surface(t) <= smallest_area)
-            continue;
-          const bool open = throats.fluid_area[t] > 0 && throats.void_volume[t] > 0 && throats.sphere_surface(t) > 0;
-          if (throats.length[t] <= 0) {
-            result.values[t] = std::numeric_limits<double>::infinity();
-          } else if (open) {
-            result.values[t] = conductance(law, throats, t, viscosity) * wall_factor(wall, throats.vertices[t]);
-            open_values.push_back(result.values[t]);
-          } else if (throats.fluid_area[t] > 0) {
-            result.values[t] = round_tube(throats.fluid_area[t], throats.length[t], viscosity);
-            ++result.rounded;
-          } else {
-            closed.push_back(t);
-          }
-        }
+        fill_interior(law, throats, viscosity, smallest, values.data());
+        fill_at_walls(law, wall, throats, viscosity, smallest, values.data());
       },
       rule, walls);
-  result.median = median_of(std::move(open_values));
-  for (const std::size_t t : closed)
-    result.values[t] = Conductances::floor * result.median;
-  result.raised = closed.size();
+  conductances.median = median_of_open(values, conductances.sorted_part);
+  conductances.raised = conductances.rounded = 0;
+  for (double& value : values) {
+    if (value == -infinite) {
+      value = Conductances::floor * conductances.median;
+      ++conductances.raised;
+    } else if (value < 0) {
+      value = -value;
+      ++conductances.rounded;
+    }
+  }
+}
+
+Conductances conductances(const PoreNetwork& network, const Conductance& rule, const WallRule& walls,
+                          double viscosity) {
+  Conductances result;
+  update(result, network, rule, walls, viscosity);
   return result;
 }
 

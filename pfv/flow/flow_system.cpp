@@ -1,153 +1,178 @@
 #include "pfv/flow/flow_system.hpp"
 
+#include "pfv/flow/known_pressures.hpp"
+#include "pfv/flow/link_matrix.hpp"
 #include "pfv/flow/pore_groups.hpp"
-#include "pfv/problem/error.hpp"
 
-#include <fmt/format.h>
-#include <numeric>
+#include <algorithm>
 
 namespace pfv {
 namespace {
 
-/// Gives every pore the Pressure face it touches, and every group of contracted pores the face of any of its members.
-void find_known(const PoreNetwork& network, const FaceConditions& faces, PoreGroups& groups, FlowSystem& system) {
-  const std::size_t count = network.pores.size();
-  std::vector<int> face_of_group(count, -1);
-  for (std::size_t i = 0; i < count; ++i) {
-    for (const Vertex vertex : network.pores.vertices[i]) {
-      if (!is_wall(vertex))
-        continue;
-      const int face = index(face_of(vertex));
-      const auto* pressure = std::get_if<Pressure>(&faces[face]);
-      if (!pressure)
-        continue;
-      int& known = face_of_group[groups.find(static_cast<int>(i))];
-      if (known >= 0 && std::get<Pressure>(faces[known]).value != pressure->value)
-        throw SolveError(
-            fmt::format("faces {} ({} Pa) and {} ({} Pa) meet in one pore: they must have the same pressure",
-                        face_names[known], std::get<Pressure>(faces[known]).value, face_names[face], pressure->value));
-      if (known < 0)
-        known = face;
-    }
-  }
-  system.face_of_pore.resize(count);
-  system.known_pressure.assign(count, 0);
-  for (std::size_t i = 0; i < count; ++i) {
-    const int face = face_of_group[groups.find(static_cast<int>(i))];
-    system.face_of_pore[i] = face;
-    if (face >= 0)
-      system.known_pressure[i] = std::get<Pressure>(faces[face]).value;
-  }
+Shift shift_of(const PoreNetwork::Throats& throats, std::size_t t) {
+  return throats.shift.empty() ? Shift{} : throats.shift[t];
 }
 
-double mean_pressure(const FaceConditions& faces) {
-  double sum = 0;
-  int count = 0;
-  for (const auto& face : faces)
-    if (const auto* pressure = std::get_if<Pressure>(&face)) {
-      sum += pressure->value;
-      ++count;
+PoreGroups contract(const PoreNetwork& network, double median, FlowSystem& system) {
+  const auto& throats = network.throats;
+  PoreGroups groups(network.pores.size(), !throats.shift.empty());
+  system.contracted.assign(throats.size(), false);
+  for (std::size_t t = 0; t < throats.size(); ++t)
+    if (system.conductance[t] > FlowSystem::contraction * median) {
+      groups.join(throats.pores[t][0], throats.pores[t][1], shift_of(throats, t));
+      system.conductance[t] = 0;
+      system.contracted[t] = true;
+      ++system.contracted_throats;
     }
-  return count > 0 ? sum / count : 0;
+  if (!throats.shift.empty()) {
+    system.offset.resize(network.pores.size());
+    for (std::size_t i = 0; i < system.offset.size(); ++i)
+      system.offset[i] = groups.offset(static_cast<int>(i));
+  }
+  return groups;
 }
 
-/// Numbers the groups that some path of open throats joins to a known pressure; the others are isolated.
-int number_unknowns(const PoreNetwork& network, const FaceConditions& faces, PoreGroups& groups, FlowSystem& system) {
-  const std::size_t count = network.pores.size();
-  PoreGroups connected = groups;
-  for (std::size_t t = 0; t < network.throats.size(); ++t)
+PoreGroups connected_parts(const PoreNetwork& network, const FlowSystem& system, PoreGroups groups) {
+  const auto& throats = network.throats;
+  for (std::size_t t = 0; t < throats.size(); ++t)
     if (system.conductance[t] > 0)
-      connected.join(network.throats.pores[t][0], network.throats.pores[t][1]);
-  std::vector<bool> reaches_face(count, false);
-  for (std::size_t i = 0; i < count; ++i)
-    if (system.face_of_pore[i] >= 0)
-      reaches_face[connected.find(static_cast<int>(i))] = true;
+      groups.join(throats.pores[t][0], throats.pores[t][1], shift_of(throats, t));
+  return groups;
+}
+
+/// Numbers the groups that some path of open throats joins to a known pressure, after holding one pore of every part
+/// that has none but is driven from box to box. The others are isolated.
+int number_unknowns(const PoreNetwork& network, double mean_pressure, PoreGroups& groups, FlowSystem& system) {
+  const int count = static_cast<int>(network.pores.size());
+  PoreGroups parts = connected_parts(network, system, groups);
+  std::vector<bool> has_level(count, false);
+  for (int i = 0; i < count; ++i)
+    if (system.source_of_pore[i] >= 0)
+      has_level[parts.find(i)] = true;
 
   int unknowns = 0;
   std::vector<int> number(count, FlowSystem::isolated);
   system.unknown_of_pore.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const int pore = static_cast<int>(i);
-    int& of_group = number[groups.find(pore)];
-    if (system.face_of_pore[i] >= 0)
+  for (int i = 0; i < count; ++i) {
+    const int part = parts.find(i);
+    int& of_group = number[groups.find(i)];
+    if (system.source_of_pore[i] >= 0) {
       of_group = FlowSystem::known;
-    else if (of_group == FlowSystem::isolated && reaches_face[connected.find(pore)])
+    } else if (of_group == FlowSystem::isolated && has_level[part]) {
       of_group = unknowns++;
+    } else if (of_group == FlowSystem::isolated && !system.rise.isZero(0)) {
+      of_group = FlowSystem::known;
+      has_level[part] = true;
+      ++system.held_pores;
+    }
     system.unknown_of_pore[i] = of_group;
     if (of_group == FlowSystem::isolated) {
-      system.known_pressure[i] = mean_pressure(faces);
+      system.known_pressure[i] = mean_pressure;
       ++system.isolated_pores;
     }
   }
   return unknowns;
 }
 
-void fill(const PoreNetwork& network, int unknowns, FlowSystem& system) {
-  system.right_side = Eigen::VectorXd::Zero(unknowns);
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(3 * network.throats.size());
+/// Hands every open throat, with the unknowns it joins, to `link`.
+auto links(const PoreNetwork& network, const FlowSystem& system) {
+  return [&](const auto& link) {
+    for (std::size_t t = 0; t < network.throats.size(); ++t)
+      if (system.conductance[t] > 0)
+        link(system.unknown_of_pore[network.throats.pores[t][0]], system.unknown_of_pore[network.throats.pores[t][1]],
+             system.conductance[t]);
+  };
+}
+
+void fill_right_side(const PoreNetwork& network, FlowSystem& system) {
+  system.right_side.setZero();
   for (std::size_t t = 0; t < network.throats.size(); ++t) {
     const double k = system.conductance[t];
-    if (k == 0)
-      continue;
     const auto [i, j] = network.throats.pores[t];
     const int a = system.unknown_of_pore[i], b = system.unknown_of_pore[j];
+    const double rise = along(system.rise, crossing(system, network, t));
     if (a >= 0)
-      entries.emplace_back(a, a, k);
+      system.right_side[a] += k * (rise + (b >= 0 ? 0 : system.known_pressure[j]));
     if (b >= 0)
-      entries.emplace_back(b, b, k);
-    if (a >= 0 && b >= 0)
-      entries.emplace_back(std::max(a, b), std::min(a, b), -k);
-    else if (a >= 0)
-      system.right_side[a] += k * system.known_pressure[j];
-    else if (b >= 0)
-      system.right_side[b] += k * system.known_pressure[i];
+      system.right_side[b] -= k * (rise - (a >= 0 ? 0 : system.known_pressure[i]));
   }
-  system.matrix.resize(unknowns, unknowns);
-  system.matrix.setFromTriplets(entries.begin(), entries.end());
 }
 
 } // namespace
 
-FlowSystem assemble(const PoreNetwork& network, const Conductances& conductances, const FaceConditions& faces) {
+FlowSystem assemble(const PoreNetwork& network, Conductances conductances, const FaceConditions& faces,
+                    std::span<const PressurePoint> points) {
   FlowSystem system;
-  system.conductance = conductances.values;
+  system.faces = faces;
+  system.points = points.size();
+  system.rise = imposed_gradient(faces).cwiseProduct(network.box.size());
+  system.conductance = std::move(conductances.values);
   system.raised_throats = conductances.raised;
-  PoreGroups groups(network.pores.size());
-  for (std::size_t t = 0; t < network.throats.size(); ++t) {
-    if (system.conductance[t] > FlowSystem::contraction * conductances.median) {
-      groups.join(network.throats.pores[t][0], network.throats.pores[t][1]);
-      ++system.contracted_throats;
-    }
-  }
-  for (std::size_t t = 0; t < network.throats.size(); ++t)
-    if (groups.find(network.throats.pores[t][0]) == groups.find(network.throats.pores[t][1]))
-      system.conductance[t] = 0;
-  find_known(network, faces, groups, system);
-  fill(network, number_unknowns(network, faces, groups, system), system);
+  system.rounded_throats = conductances.rounded;
+  PoreGroups groups = contract(network, conductances.median, system);
+  KnownPressures known = known_pressures(network, faces, points, system.rise, groups);
+  system.source_of_pore = std::move(known.source);
+  system.known_pressure = std::move(known.value);
+  const int unknowns = number_unknowns(network, known.mean, groups, system);
+  system.matrix = matrix_of(unknowns, links(network, system));
+  system.right_side.resize(unknowns);
+  fill_right_side(network, system);
   return system;
+}
+
+void impose(FlowSystem& system, Face face, double pressure) {
+  for (std::size_t i = 0; i < system.known_pressure.size(); ++i)
+    if (system.source_of_pore[i] == index(face))
+      system.known_pressure[i] = pressure;
+}
+
+namespace {
+
+bool has_profile(const FaceConditions& faces) {
+  return std::ranges::any_of(faces, [](const auto& face) { return std::holds_alternative<PressureProfile>(face); });
+}
+
+/// Whether it could: a pore away from the face whose group has a profile's pressure does not know where from.
+bool impose_again(FlowSystem& system, const PoreNetwork& network) {
+  for (const Face face : all_faces)
+    if (std::holds_alternative<Flux>(system.faces[index(face)]))
+      impose(system, face, 0);
+  if (!has_profile(system.faces))
+    return true;
+  for (const auto& part : network.wall_parts)
+    if (system.source_of_pore[part.pore] == index(part.face))
+      system.known_pressure[part.pore] = *pressure_at(system.faces[index(part.face)], network.pores.centre[part.pore]);
+  return system.contracted_throats == 0;
+}
+
+} // namespace
+
+bool refresh(FlowSystem& system, const PoreNetwork& network, const Conductances& conductances) {
+  for (std::size_t t = 0; t < conductances.values.size(); ++t) {
+    const double k = conductances.values[t];
+    const bool contracted = k > FlowSystem::contraction * conductances.median;
+    if (contracted != system.contracted[t] || (!contracted && (k > 0) != (system.conductance[t] > 0)))
+      return false;
+    system.conductance[t] = contracted ? 0 : k;
+  }
+  system.raised_throats = conductances.raised;
+  system.rounded_throats = conductances.rounded;
+  system.rise = imposed_gradient(system.faces).cwiseProduct(network.box.size());
+  if (!impose_again(system, network) || !refill(system.matrix, links(network, system)))
+    return false;
+  fill_right_side(network, system);
+  return true;
 }
 
 std::vector<double> pore_pressures(const FlowSystem& system, const Eigen::VectorXd& solution) {
   std::vector<double> pressure = system.known_pressure;
-  for (std::size_t i = 0; i < pressure.size(); ++i)
+  for (std::size_t i = 0; i < pressure.size(); ++i) {
     if (system.unknown_of_pore[i] >= 0)
       pressure[i] = solution[system.unknown_of_pore[i]];
-  return pressure;
-}
-
-std::array<double, 6> face_fluxes(const PoreNetwork& network, const FlowSystem& system,
-                                  const std::vector<double>& pressure) {
-  std::array<double, 6> flux{};
-  for (std::size_t t = 0; t < network.throats.size(); ++t) {
-    const auto [i, j] = network.throats.pores[t];
-    const double q = system.conductance[t] * (pressure[i] - pressure[j]);
-    if (system.face_of_pore[i] >= 0)
-      flux[system.face_of_pore[i]] -= q;
-    if (system.face_of_pore[j] >= 0)
-      flux[system.face_of_pore[j]] += q;
+    if (!system.offset.empty())
+      pressure[i] -= along(system.rise, system.offset[i]);
   }
-  return flux;
+  return pressure;
 }
 
 } // namespace pfv

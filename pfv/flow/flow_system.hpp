@@ -1,11 +1,12 @@
 #pragma once
 
 #include "pfv/flow/conductance.hpp"
+#include "pfv/flow/flow_matrix.hpp"
 #include "pfv/pores/pore_network.hpp"
-#include "pfv/problem/face.hpp"
+#include "pfv/problem/case.hpp"
 
-#include <Eigen/SparseCore>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace pfv {
@@ -14,35 +15,60 @@ namespace pfv {
 /// definite system over the pores whose pressure is not known.
 ///
 /// Pores joined by a throat whose conductance exceeds `contraction` times the median are one unknown: their centres
-/// (nearly) coincide, as in the cospherical cells of a lattice, and so do their pressures. A pore that touches a
-/// Pressure face has its centre on it and so its pressure, and all it is contracted with.
+/// (nearly) coincide, as in the cospherical cells of a lattice, and so do their pressures. Where the pressure is known:
+/// known_pressures. Where the box is periodic the pressure rises by `rise` from one box to the next, so that a throat
+/// whose pore ahead is met s boxes away carries K (p_i - p_j - rise.s). When nothing but that rise drives the flow, one
+/// pore of every connected part is held at zero.
 struct FlowSystem {
   static constexpr double contraction = 1e6;
-  static constexpr int known = -1;    // unknown_of_pore: the pressure is that of a face
+  static constexpr int known = -1;    // unknown_of_pore: the pressure is imposed, or held
   static constexpr int isolated = -2; // unknown_of_pore: no way to a known pressure
 
-  std::vector<double> conductance; // m^3/(Pa s) by throat; 0 within an unknown
+  std::vector<double> conductance; // m^3/(Pa s) by throat; 0 where contracted
+  std::vector<bool> contracted;    // by throat
   std::vector<int> unknown_of_pore;
-  std::vector<double> known_pressure; // Pa by pore; the mean of the faces for isolated pores
-  std::vector<int> face_of_pore;      // index(Face) of the face that gives the pressure, or -1
-  Eigen::SparseMatrix<double> matrix; // m^3/(Pa s), lower triangle
-  Eigen::VectorXd right_side;         // m^3/s
+  std::vector<int> source_of_pore;    // index(Face) or 6 + number of the pressure point that gives the pressure, or -1
+  std::vector<double> known_pressure; // Pa by pore, at the first one of its group; the mean imposed for isolated pores
+  std::vector<Shift> offset;          // boxes from a pore to the first of its group; empty unless the box is periodic
+  FaceConditions faces;
+  std::size_t points = 0;     // with a pressure
+  Vec3 rise = Vec3::Zero();   // Pa, from one box to the next
+  FlowMatrix matrix;          // m^3/(Pa s)
+  Eigen::VectorXd right_side; // m^3/s
 
   std::size_t contracted_throats = 0;
   std::size_t raised_throats = 0;
+  std::size_t rounded_throats = 0;
   std::size_t isolated_pores = 0;
+  std::size_t held_pores = 0; // at zero, because nothing else sets the level of their pressure
 
   std::size_t unknowns() const { return static_cast<std::size_t>(right_side.size()); }
 };
 
-/// Throws SolveError when faces of different pressure meet in one pore.
-FlowSystem assemble(const PoreNetwork& network, const Conductances& conductances, const FaceConditions& faces);
+/// Linear in time, the matrix built in place. Throws SolveError when different pressures meet in one pore.
+FlowSystem assemble(const PoreNetwork& network, Conductances conductances, const FaceConditions& faces,
+                    std::span<const PressurePoint> points = {});
+
+/// New conductances, and profiles where pores are now, into the same pattern without allocation; the pressure of Flux
+/// faces is zero again. Returns false, and leaves the system to be assembled anew, when the throats that are contracted
+/// or closed are no longer the same.
+bool refresh(FlowSystem& system, const PoreNetwork& network, const Conductances& conductances);
+
+/// Imposes another pressure (Pa) on all pores that have theirs from this face. The right side is left as it is.
+void impose(FlowSystem& system, Face face, double pressure);
 
 /// Pressure of every pore (Pa) from the solution of the system.
 std::vector<double> pore_pressures(const FlowSystem& system, const Eigen::VectorXd& solution);
 
-/// Flux through each Pressure face (m^3/s), positive out of the box; zero on walls.
-std::array<double, 6> face_fluxes(const PoreNetwork& network, const FlowSystem& system,
-                                  const std::vector<double>& pressure);
+/// By how many boxes the group of the pore ahead is met away from that of the pore behind.
+inline Shift crossing(const FlowSystem& system, const PoreNetwork& network, std::size_t throat) {
+  Shift shift{};
+  if (!system.offset.empty())
+    for (int axis = 0; axis < 3; ++axis)
+      shift[axis] = static_cast<std::int8_t>(network.throats.shift[throat][axis] +
+                                             system.offset[network.throats.pores[throat][0]][axis] -
+                                             system.offset[network.throats.pores[throat][1]][axis]);
+  return shift;
+}
 
 } // namespace pfv

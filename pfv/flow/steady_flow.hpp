@@ -2,6 +2,7 @@
 
 #include "pfv/clock.hpp"
 #include "pfv/flow/conductance.hpp"
+#include "pfv/flow/flow_options.hpp"
 #include "pfv/flow/flow_solver.hpp"
 #include "pfv/flow/flow_system.hpp"
 #include "pfv/flow/fluid_forces.hpp"
@@ -12,28 +13,27 @@
 
 namespace pfv {
 
-/// How the pore-scale finite volumes answer, apart from what the case asks.
-struct FlowOptions {
-  Conductance conductance = HydraulicRadius{};
-  WallRule walls = MirrorWalls{};
-  SolverChoice solver = AutoSolver{};
-};
-
 struct SteadyFlow {
   PoreNetwork network;
   FlowSystem system;
   SolverReport solver;
-  std::vector<double> pressure;       // Pa by pore
-  std::array<double, 6> face_flux{};  // m^3/s, positive out of the box
-  double flux_in = 0;                 // m^3/s, sum over the faces where fluid enters
-  double flux_out = 0;                // m^3/s, sum over the faces where it leaves
-  std::optional<double> permeability; // m^2, when the case is a permeability test
+  std::vector<double> pressure;      // Pa by pore
+  std::array<double, 6> face_flux{}; // m^3/s, positive out of the box; through periodic faces, in and out again
+  std::vector<double> point_flux;    // m^3/s, taken out at each pressure point
+  double flux_in = 0;                // m^3/s, sum over faces and points where fluid enters
+  double flux_out = 0;               // m^3/s, sum over faces and points where it leaves
+  std::array<std::optional<double>, 6> pumped; // Pa, pressure of the Flux faces
+  std::optional<Vec3> mean_flux;               // m/s, flux per area, in a periodic box
+  std::optional<double> permeability;          // m^2, when the case is a permeability test
   FluidForces forces;
+
+  /// What enters and does not leave, over the larger of the two; zero when nothing flows.
+  double imbalance() const;
 };
 
 /// Steady flow through a fixed packing and its forces: stages `triangulate`, `geometry`, `conductances`, `assemble`,
-/// `factor`, `solve`, `forces`. The case must be valid. Throws InputError without a Pressure
-/// face, and SolveError.
+/// `factor`, `solve`, `forces`. The case must be valid. Throws InputError when the pressure
+/// has no level, and SolveError.
 SteadyFlow solve_steady_flow(const Case& problem, const FlowOptions& options, Clock& clock);
 
 } // namespace pfv

@@ -3,8 +3,9 @@
 #include "pfv/problem/vec3.hpp"
 
 #include <array>
+#include <span>
+#include <string>
 #include <string_view>
-#include <variant>
 
 namespace pfv {
 
@@ -41,23 +42,13 @@ inline Vec3 outward_normal(Face face) {
   return (is_upper(face) ? 1.0 : -1.0) * Vec3::Unit(index(axis_of(face)));
 }
 
-/// Along which axes the box repeats itself, by index(Axis).
+/// The axis of that name. Throws InputError.
+Axis axis_named(std::string_view name);
+
+/// By index(Axis): whether the box repeats without end along it.
 using PeriodicAxes = std::array<bool, 3>;
 
-/// Frictionless impermeable wall: u.n = 0 and no shear traction, so the wall is a plane of symmetry.
-struct SlipWall {
-  bool operator==(const SlipWall&) const = default;
-};
-
-/// Open plane at a fixed piezometric pressure with zero tangential velocity; as div u = 0, the normal viscous traction
-/// vanishes there and p is the whole normal traction.
-struct Pressure {
-  double value; // Pa
-
-  bool operator==(const Pressure&) const = default;
-};
-
-using FaceCondition = std::variant<SlipWall, Pressure>;
-using FaceConditions = std::array<FaceCondition, 6>; // by index(Face)
+/// The axes of those names. Throws InputError.
+PeriodicAxes axes_named(std::span<const std::string> names);
 
 } // namespace pfv

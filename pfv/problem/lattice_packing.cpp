@@ -40,7 +40,8 @@ double touching_solid_fraction(Lattice lattice) {
   return 0;
 }
 
-Packing lattice_packing(Lattice lattice, double solid_fraction, int cells, double cell_size) {
+Packing lattice_packing(Lattice lattice, double solid_fraction, int cells, double cell_size,
+                        const PeriodicAxes& periodic) {
   const double touching = touching_solid_fraction(lattice);
   if (!(solid_fraction > 0 && solid_fraction <= touching * (1 + 1e-12)))
     throw InputError(fmt::format("solid_fraction \"{}\" must be above 0 and at most {}, where the spheres touch",
@@ -59,9 +60,10 @@ Packing lattice_packing(Lattice lattice, double solid_fraction, int cells, doubl
   const double radius = std::cbrt(fraction) * nearest / 2 * cell_size;
 
   Packing packing{{Vec3::Zero(), Vec3::Constant(cells * cell_size)}, {}};
-  for (int k = 0; k <= 2 * cells; ++k)
-    for (int j = 0; j <= 2 * cells; ++j)
-      for (int i = 0; i <= 2 * cells; ++i)
+  const auto last = [&](Axis axis) { return 2 * cells - (periodic[index(axis)] ? 1 : 0); };
+  for (int k = 0; k <= last(Axis::z); ++k)
+    for (int j = 0; j <= last(Axis::y); ++j)
+      for (int i = 0; i <= last(Axis::x); ++i)
         if (is_site(lattice, i, j, k))
           packing.spheres.push_back({Vec3(i, j, k) * (cell_size / 2), radius});
   return packing;

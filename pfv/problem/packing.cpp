@@ -48,30 +48,40 @@ bool lexicographic(const Vec3& a, const Vec3& b) {
   return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
 }
 
-void validate_distinct(const std::vector<Sphere>& spheres, const PackingOrigin& origin) {
+void validate_distinct(const Packing& packing, const PackingOrigin& origin, const PeriodicAxes& periodic) {
+  const auto& [box, spheres] = packing;
+  const auto centre = [&](std::size_t sphere) {
+    Vec3 at = spheres[sphere].centre;
+    for (int axis = 0; axis < 3; ++axis)
+      if (periodic[axis] && at[axis] == box.upper[axis])
+        at[axis] = box.lower[axis];
+    return at;
+  };
   std::vector<std::size_t> order(spheres.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto centre = [&](std::size_t sphere) { return spheres[sphere].centre; };
   std::ranges::stable_sort(order, lexicographic, centre);
   const auto twin = std::ranges::adjacent_find(order, {}, centre);
-  if (twin != order.end())
-    throw InputError(fmt::format("{}: centre \"{}\" must differ from that of every other sphere; {} has it too",
-                                 where(origin, twin[1]), shortest(centre(twin[1])), where(origin, twin[0])));
+  if (twin == order.end())
+    return;
+  const Vec3 &one = spheres[twin[0]].centre, &other = spheres[twin[1]].centre;
+  throw InputError(fmt::format("{}: centre \"{}\" must differ from that of every other sphere; {} has {}",
+                               where(origin, twin[1]), shortest(other), where(origin, twin[0]),
+                               one == other ? "it too" : "its periodic image " + shortest(one)));
 }
 
 } // namespace
 
-void validate(const Packing& packing, const PackingOrigin& origin) {
+void validate(const Packing& packing, const PackingOrigin& origin, const PeriodicAxes& periodic) {
   validate(packing.box, origin);
   if (packing.spheres.empty())
     throw InputError(fmt::format("{}: packing has \"0\" spheres and needs at least one", where_box(origin)));
   for (std::size_t i = 0; i < packing.spheres.size(); ++i)
     validate(packing.spheres[i], packing.box, where(origin, i));
-  validate_distinct(packing.spheres, origin);
+  validate_distinct(packing, origin, periodic);
 }
 
-void validate(const Packing& packing) {
-  validate(packing, {});
+void validate(const Packing& packing, const PeriodicAxes& periodic) {
+  validate(packing, {}, periodic);
 }
 
 void write_packing(const Packing& packing, std::ostream& out) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pfv/problem/face.hpp"
 #include "pfv/problem/vec3.hpp"
 
 #include <filesystem>
@@ -35,16 +36,18 @@ struct Packing {
 /// Reads a packing: text (`# box x0 y0 z0 x1 y1 z1`, then `x y z r` per line, SI) or, when the first line that is not a
 /// comment names the columns, CSV (`x,y,z,r` in any order; the box comes from the same `# box` comment).
 /// Throws InputError naming file, line, value and what is allowed.
-Packing read_packing(const std::filesystem::path& file);
+Packing read_packing(const std::filesystem::path& file, const PeriodicAxes& periodic = {});
 
 /// Writes the text form, every number with the digits that read back to the same double.
 void write_packing(const Packing& packing, std::ostream& out);
 
 /// Throws InputError on the first thing no method can work with: an empty box or packing, a value that is not finite, a
-/// radius that is not positive, a centre outside the box, two identical spheres.
-void validate(const Packing& packing);
+/// radius that is not positive, a centre outside the box, two identical spheres. Where the box is periodic, a centre on
+/// its upper face is the same as on its lower one.
+void validate(const Packing& packing, const PeriodicAxes& periodic = {});
 
-/// Volume of the spheres / volume of the box, each sphere counted whole: meaningless when spheres overlap or are cut.
+/// Volume of the spheres / volume of the box, each sphere counted whole, as it is in a periodic box: meaningless when
+/// spheres overlap or are cut by walls.
 double solid_fraction(const Packing& packing);
 
 } // namespace pfv

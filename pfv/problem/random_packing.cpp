@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <numbers>
 #include <random>
 
@@ -15,7 +16,7 @@ namespace pfv {
 namespace {
 
 void validate(const RandomPacking& parameters) {
-  const auto& [spheres, fraction, ratio, seed, size] = parameters;
+  const auto& [spheres, fraction, ratio, seed, size, periodic] = parameters;
   if (spheres < 1)
     throw InputError(fmt::format("spheres \"{}\" must be 1 or more", spheres));
   if (!(fraction > 0 && fraction <= 0.6))
@@ -57,10 +58,10 @@ struct Arrangement {
 
 /// Spheres thrown at random and pushed apart with their radii enlarged, so that they end a little apart rather than in
 /// contact: by 1 % where there is room for it, by less where there is not.
-Arrangement arrange(const std::vector<double>& radii, std::vector<Vec3> centres) {
+Arrangement arrange(const std::vector<double>& radii, std::vector<Vec3> centres, const PeriodicAxes& periodic) {
   Arrangement best{{}, 0};
   for (const double enlarged : {1 + 1e-2, 1 + 1e-3, 1 + 1e-4}) {
-    SoftSpheres soft{std::move(centres), radii};
+    SoftSpheres soft{std::move(centres), radii, periodic};
     for (double& radius : soft.radii)
       radius *= enlarged;
     Relaxed relaxed = relax(soft, 0.1 * (enlarged - 1), 5000);
@@ -74,15 +75,20 @@ Arrangement arrange(const std::vector<double>& radii, std::vector<Vec3> centres)
   return best;
 }
 
-bool overlaps(const Packing& packing, const std::vector<ClosePair>& pairs) {
+bool overlaps(const Packing& packing, const std::vector<ClosePair>& pairs, const PeriodicAxes& periodic) {
   const auto& [box, spheres] = packing;
+  const double size = box.upper.x();
   const auto out = [&](const Sphere& s) {
-    return (s.centre.array() - s.radius < box.lower.array()).any() ||
-           (s.centre.array() + s.radius > box.upper.array()).any();
+    for (int axis = 0; axis < 3; ++axis) {
+      const double from_lower = s.centre[axis] - s.radius, to_upper = s.centre[axis] + s.radius;
+      if (periodic[axis] ? 2 * s.radius > size : from_lower < box.lower[axis] || to_upper > box.upper[axis])
+        return true;
+    }
+    return false;
   };
   const auto too_close = [&](const ClosePair& pair) {
     const Sphere &a = spheres[pair.first], &b = spheres[pair.second];
-    return (a.centre - b.centre).norm() < a.radius + b.radius;
+    return nearest_image(a.centre - b.centre, periodic, size).norm() < a.radius + b.radius;
   };
   return std::ranges::any_of(spheres, out) || std::ranges::any_of(pairs, too_close);
 }
@@ -98,20 +104,24 @@ Packing random_packing(const RandomPacking& parameters) {
 
   // A small packing jams or not by luck, a large one by its solid fraction.
   const int attempts = std::clamp(40'000 / parameters.spheres, 2, 1'000);
+  const bool has_images = std::ranges::find(parameters.periodic, true) != parameters.periodic.end();
+  const double room_for_image = has_images ? 0.5 / radii.front() : std::numeric_limits<double>::infinity();
   double most_room = 0;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     std::vector<Vec3> thrown(radii.size());
     for (Vec3& centre : thrown)
       for (double& coordinate : centre)
         coordinate = uniform();
-    const auto [centres, room] = arrange(radii, std::move(thrown));
+    const auto [centres, room_for_others] = arrange(radii, std::move(thrown), parameters.periodic);
+    const double room = std::min(room_for_others, room_for_image);
     most_room = std::max(most_room, room);
     if (room <= 1)
       continue;
     Packing packing{{Vec3::Zero(), Vec3::Constant(parameters.size)}, {}};
     for (std::size_t s = 0; s < radii.size(); ++s)
       packing.spheres.push_back({parameters.size * centres[s], parameters.size * radii[s]});
-    if (!overlaps(packing, close_pairs(centres, radii, 1e-6 * radii.front())))
+    const auto pairs = close_pairs(centres, radii, 1e-6 * radii.front(), parameters.periodic);
+    if (!overlaps(packing, pairs, parameters.periodic))
       return packing;
   }
   throw SolveError(fmt::format("solid_fraction \"{}\" was not reached by \"{}\" spheres: the search jams at {:.4f}",

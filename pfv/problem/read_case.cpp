@@ -1,10 +1,10 @@
 #include "pfv/problem/case.hpp"
 
+#include "pfv/problem/read_conditions.hpp"
 #include "pfv/problem/read_generator.hpp"
 #include "pfv/problem/toml_input.hpp"
 #include "pfv/problem/validate.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -16,7 +16,7 @@ int line_of(const toml::node& node) {
   return static_cast<int>(node.source().begin.line);
 }
 
-Packing read_inline(const toml::table& table) {
+Packing read_inline(const toml::table& table, const PeriodicAxes& periodic) {
   allow_keys(table, "[packing] with spheres", {"box", "spheres"});
   const toml::node& box = required(table, "[packing]", "box");
   const auto* corners = box.as_array();
@@ -37,22 +37,22 @@ Packing read_inline(const toml::table& table) {
     packing.spheres.push_back({Vec3(value(0), value(1), value(2)), value(3)});
     origin.sphere_lines.push_back(line_of(row));
   }
-  validate(packing, origin);
+  validate(packing, origin, periodic);
   return packing;
 }
 
-Packing read_packing(const toml::table& table, const std::filesystem::path& folder) {
+Packing read_packing(const toml::table& table, const std::filesystem::path& folder, const PeriodicAxes& periodic) {
   const bool file = table.contains("file");
   const bool generator = table.contains("generator");
   const bool spheres = table.contains("box") || (table.contains("spheres") && !generator);
   if (file + generator + spheres != 1)
     fail_at(table, "[packing] must have exactly one of file, generator, or box with spheres");
   if (generator)
-    return read_generator(table);
+    return read_generator(table, periodic);
   if (spheres)
-    return read_inline(table);
+    return read_inline(table, periodic);
   allow_keys(table, "[packing] with a file", {"file"});
-  return pfv::read_packing(folder / as_text(*table.get("file"), "file"));
+  return pfv::read_packing(folder / as_text(*table.get("file"), "file"), periodic);
 }
 
 Fluid read_fluid(const toml::table& table) {
@@ -65,41 +65,6 @@ Fluid read_fluid(const toml::table& table) {
   return fluid;
 }
 
-FaceConditions read_flow(const toml::table& table) {
-  allow_keys(table, "[flow]", {"axis", "pressure_drop"});
-  const toml::node& axis = required(table, "[flow]", "axis");
-  const auto name = std::ranges::find(axis_names, as_text(axis, "axis"));
-  if (name == axis_names.end())
-    fail_at(axis, fmt::format("axis \"{}\" must be one of {}", quote(axis), fmt::join(axis_names, ", ")));
-  double drop = 1;
-  if (const toml::node* node = table.get("pressure_drop")) {
-    drop = as_number(*node, "pressure_drop");
-    if (!std::isfinite(drop) || drop == 0)
-      fail_at(*node, fmt::format("pressure_drop \"{}\" must be a finite number other than zero (Pa)", quote(*node)));
-  }
-  return flow_along(static_cast<Axis>(name - axis_names.begin()), drop);
-}
-
-FaceCondition read_face(const toml::node& node, std::string_view name) {
-  if (const auto* text = node.as_string(); text && text->get() == "slip")
-    return SlipWall{};
-  const auto* table = node.as_table();
-  if (!table)
-    fail_at(node, fmt::format("{} \"{}\" must be \"slip\" or {{ pressure = <Pa> }}", name, quote(node)));
-  allow_keys(*table, name, {"pressure"});
-  return Pressure{as_number(required(*table, name, "pressure"), "pressure")};
-}
-
-FaceConditions read_faces(const toml::table& table) {
-  allow_keys(table, "[faces]", {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"});
-  FaceConditions faces{};
-  for (const Face face : all_faces)
-    if (const toml::node* node = table.get(face_names[index(face)]))
-      faces[index(face)] = read_face(*node, face_names[index(face)]);
-  located(table, [&] { validate(faces); });
-  return faces;
-}
-
 Buoyancy read_buoyancy(const toml::table& table) {
   allow_keys(table, "[buoyancy]", {"fluid_density", "gravity"});
   const Buoyancy buoyancy{as_number(required(table, "[buoyancy]", "fluid_density"), "fluid_density"),
@@ -108,25 +73,98 @@ Buoyancy read_buoyancy(const toml::table& table) {
   return buoyancy;
 }
 
-} // namespace
-
-Case read_case(const std::filesystem::path& file) {
-  const toml::table root = read_toml(file);
-  allow_keys(root, "a case", {"name", "packing", "fluid", "flow", "faces", "buoyancy"});
-  Case problem;
-  problem.name = file.stem().string();
-  if (const toml::node* name = root.get("name"))
-    problem.name = as_text(*name, "name");
-  problem.packing = read_packing(as_table(required(root, "the case", "packing"), "packing"), file.parent_path());
-  if (const toml::node* fluid = root.get("fluid"))
-    problem.fluid = read_fluid(as_table(*fluid, "fluid"));
+FaceInput read_face_input(const toml::table& root) {
   const toml::node* flow = root.get("flow");
   const toml::node* faces = root.get("faces");
   if ((flow == nullptr) == (faces == nullptr))
     fail_at(flow ? *faces : root, "a case must have exactly one of [flow] and [faces]");
-  problem.faces = flow ? read_flow(as_table(*flow, "flow")) : read_faces(as_table(*faces, "faces"));
+  if (flow)
+    return read_flow(as_table(*flow, "flow"));
+  return read_faces(as_table(*faces, "faces"));
+}
+
+std::string names_of(const PeriodicAxes& periodic) {
+  std::vector<std::string_view> names;
+  for (const Axis axis : {Axis::x, Axis::y, Axis::z})
+    if (periodic[index(axis)])
+      names.push_back(axis_names[index(axis)]);
+  return fmt::format("{}", fmt::join(names, ","));
+}
+
+/// What the command line says of the flow instead of the file.
+FaceInput overridden(FaceInput input, const QuestionOptions& options) {
+  if (options.axis) {
+    if (!std::holds_alternative<FlowAlong>(input))
+      input = FlowAlong{};
+    std::get<FlowAlong>(input).axis = *options.axis;
+  }
+  if (options.periodic) {
+    auto* flow = std::get_if<FlowAlong>(&input);
+    if (!flow)
+      throw InputError(
+          fmt::format("--periodic \"{}\" needs --axis or a case with [flow]; [faces] says which are periodic",
+                      names_of(*options.periodic)));
+    flow->periodic = *options.periodic;
+  }
+  return input;
+}
+
+PeriodicAxes periodic_axes(const FaceInput& input) {
+  const auto* flow = std::get_if<FlowAlong>(&input);
+  return flow ? flow->periodic : pfv::periodic_axes(std::get<FaceConditions>(input));
+}
+
+FaceConditions face_conditions(const FaceInput& input, const Box& box) {
+  const auto* flow = std::get_if<FlowAlong>(&input);
+  return flow ? flow_along(flow->axis, flow->pressure_drop, flow->periodic, box) : std::get<FaceConditions>(input);
+}
+
+Case read_case(const std::filesystem::path& file, const QuestionOptions& options) {
+  const toml::table root = read_toml(file);
+  allow_keys(root, "a case", {"name", "packing", "fluid", "flow", "faces", "pressure_points", "buoyancy", "pfv"});
+  Case problem;
+  problem.name = file.stem().string();
+  if (const toml::node* name = root.get("name"))
+    problem.name = as_text(*name, "name");
+  const toml::table& packing = as_table(required(root, "the case", "packing"), "packing");
+  const FaceInput input = overridden(read_face_input(root), options);
+  problem.packing = read_packing(packing, file.parent_path(), periodic_axes(input));
+  problem.faces = face_conditions(input, problem.packing.box);
+  if (const toml::node* fluid = root.get("fluid"))
+    problem.fluid = read_fluid(as_table(*fluid, "fluid"));
+  if (const toml::node* points = root.get("pressure_points"))
+    problem.pressure_points = read_pressure_points(*points, problem.packing.box);
+  const toml::node* faces = root.get("faces");
+  located(faces ? *faces : root, [&] { validate_level(problem.faces, problem.pressure_points); });
   if (const toml::node* buoyancy = root.get("buoyancy"))
     problem.buoyancy = read_buoyancy(as_table(*buoyancy, "buoyancy"));
+  return problem;
+}
+
+} // namespace
+
+Case read_case(const std::filesystem::path& file) {
+  return read_case(file, {});
+}
+
+bool is_case_file(const std::filesystem::path& file) {
+  return file.extension() == ".toml";
+}
+
+Case read_question(const std::filesystem::path& file, const QuestionOptions& options) {
+  Case problem;
+  if (is_case_file(file)) {
+    problem = read_case(file, options);
+  } else {
+    problem.name = file.stem().string();
+    const FaceInput input = overridden(FlowAlong{}, options);
+    problem.packing = pfv::read_packing(file, periodic_axes(input));
+    problem.faces = face_conditions(input, problem.packing.box);
+  }
+  if (options.viscosity) {
+    problem.fluid.viscosity = *options.viscosity;
+    validate(problem.fluid);
+  }
   return problem;
 }
 

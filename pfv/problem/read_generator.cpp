@@ -23,7 +23,7 @@ Value optional_value(const toml::table& table, std::string_view key, Value other
   return node ? read(*node, key) : otherwise;
 }
 
-Packing read_lattice(const toml::table& table, Lattice lattice) {
+Packing read_lattice(const toml::table& table, Lattice lattice, const PeriodicAxes& periodic) {
   allow_keys(table, "[packing] with a lattice", {"generator", "solid_fraction", "cells", "cell_size"});
   const toml::node& fraction = required(table, "[packing]", "solid_fraction");
   const bool touching = fraction.is_string() && as_text(fraction, "solid_fraction") == "touching";
@@ -32,7 +32,7 @@ Packing read_lattice(const toml::table& table, Lattice lattice) {
   const double value = touching ? touching_solid_fraction(lattice) : as_number(fraction, "solid_fraction");
   const int cells = optional_value(table, "cells", 1, as_count);
   const double cell_size = optional_value(table, "cell_size", 1.0, as_number);
-  return located(table, [&] { return lattice_packing(lattice, value, cells, cell_size); });
+  return located(table, [&] { return lattice_packing(lattice, value, cells, cell_size, periodic); });
 }
 
 Packing read_nine_spheres(const toml::table& table) {
@@ -41,7 +41,7 @@ Packing read_nine_spheres(const toml::table& table) {
   return located(table, [&] { return nine_spheres(size); });
 }
 
-Packing read_random(const toml::table& table) {
+Packing read_random(const toml::table& table, const PeriodicAxes& periodic) {
   allow_keys(table, "[packing] with random",
              {"generator", "spheres", "solid_fraction", "radius_ratio", "seed", "size"});
   RandomPacking parameters;
@@ -53,24 +53,25 @@ Packing read_random(const toml::table& table) {
     fail_at(*table.get("seed"), fmt::format("seed \"{}\" must be a whole number, 0 or more", seed));
   parameters.seed = static_cast<std::uint64_t>(seed);
   parameters.size = optional_value(table, "size", parameters.size, as_number);
+  parameters.periodic = periodic;
   return located(table, [&] { return random_packing(parameters); });
 }
 
 } // namespace
 
-Packing read_generator(const toml::table& table) {
+Packing read_generator(const toml::table& table, const PeriodicAxes& periodic) {
   const toml::node& node = *table.get("generator");
   const std::string name = as_text(node, "generator");
   if (name == "simple_cubic")
-    return read_lattice(table, Lattice::simple_cubic);
+    return read_lattice(table, Lattice::simple_cubic, periodic);
   if (name == "bcc")
-    return read_lattice(table, Lattice::bcc);
+    return read_lattice(table, Lattice::bcc, periodic);
   if (name == "fcc")
-    return read_lattice(table, Lattice::fcc);
+    return read_lattice(table, Lattice::fcc, periodic);
   if (name == "nine_spheres")
     return read_nine_spheres(table);
   if (name == "random")
-    return read_random(table);
+    return read_random(table, periodic);
   fail_at(node, fmt::format("generator \"{}\" must be one of simple_cubic, bcc, fcc, nine_spheres, random", name));
 }
 

@@ -42,7 +42,10 @@ struct Layout {
 
 class PackingReader {
 public:
-  explicit PackingReader(const std::filesystem::path& file) : text_(read_text(file)) { origin_.file = file.string(); }
+  PackingReader(const std::filesystem::path& file, const PeriodicAxes& periodic)
+      : text_(read_text(file)), periodic_(periodic) {
+    origin_.file = file.string();
+  }
 
   Packing read() && {
     std::string_view rest = text_;
@@ -58,7 +61,7 @@ public:
       throw InputError(fmt::format("{}:{}: no \"# box x0 y0 z0 x1 y1 z1\" line; one is needed (m)", origin_.file,
                                    std::max(line_, 1)));
     Packing packing{*box_, std::move(spheres_)};
-    validate(packing, origin_);
+    validate(packing, origin_, periodic_);
     return packing;
   }
 
@@ -134,6 +137,7 @@ private:
   }
 
   std::string text_;
+  PeriodicAxes periodic_;
   PackingOrigin origin_;
   int line_ = 0;
   std::optional<Layout> layout_;
@@ -143,8 +147,8 @@ private:
 
 } // namespace
 
-Packing read_packing(const std::filesystem::path& file) {
-  return PackingReader(file).read();
+Packing read_packing(const std::filesystem::path& file, const PeriodicAxes& periodic) {
+  return PackingReader(file, periodic).read();
 }
 
 } // namespace pfv

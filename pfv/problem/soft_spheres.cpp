@@ -19,14 +19,14 @@ struct Pushes {
 class Overlaps {
 public:
   explicit Overlaps(const SoftSpheres& spheres)
-      : radii_(spheres.radii), skin_(0.3 * *std::ranges::max_element(radii_)) {
+      : radii_(spheres.radii), periodic_(spheres.periodic), skin_(0.3 * *std::ranges::max_element(radii_)) {
     pushes_.forces.resize(radii_.size());
   }
 
   const Pushes& at(const std::vector<Vec3>& centres) {
     if (has_moved(centres)) {
       listed_at_ = centres;
-      pairs_ = close_pairs(centres, radii_, skin_);
+      pairs_ = close_pairs(centres, radii_, skin_, periodic_);
     }
     std::ranges::fill(pushes_.forces, Vec3::Zero());
     pushes_.worst_overlap = pushes_.sum_of_squares = 0;
@@ -49,7 +49,7 @@ private:
 
   void push_apart(const std::vector<Vec3>& centres, int a, int b) {
     const double apart = radii_[a] + radii_[b];
-    const Vec3 towards_a = centres[a] - centres[b];
+    const Vec3 towards_a = nearest_image(centres[a] - centres[b], periodic_);
     const double squared = dot(towards_a, towards_a);
     if (squared >= apart * apart)
       return;
@@ -65,6 +65,8 @@ private:
 
   void push_off_walls(const Vec3& centre, std::size_t s) {
     for (int axis = 0; axis < 3; ++axis) {
+      if (periodic_[axis])
+        continue;
       const double lower = radii_[s] - centre[axis];
       const double upper = centre[axis] + radii_[s] - 1;
       if (lower > 0) {
@@ -84,6 +86,7 @@ private:
   }
 
   const std::vector<double>& radii_;
+  PeriodicAxes periodic_;
   double skin_;
   std::vector<Vec3> listed_at_;
   std::vector<ClosePair> pairs_;
@@ -95,6 +98,18 @@ double inner_product(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   for (std::size_t s = 0; s < a.size(); ++s)
     sum += dot(a[s], b[s]);
   return sum;
+}
+
+/// The image of each centre that is in the unit cube.
+std::vector<Vec3> in_cube(std::vector<Vec3> centres, const PeriodicAxes& periodic) {
+  for (Vec3& centre : centres)
+    for (int axis = 0; axis < 3; ++axis)
+      if (periodic[axis]) {
+        centre[axis] -= std::floor(centre[axis]);
+        if (centre[axis] >= 1) // what is a rounding error below zero
+          centre[axis] = 0;
+      }
+  return centres;
 }
 
 } // namespace
@@ -112,7 +127,7 @@ Relaxed relax(const SoftSpheres& spheres, double tolerance, int most_steps) {
     const double force_squared = inner_product(pushes.forces, pushes.forces);
     if (pushes.worst_overlap <= tolerance || n == most_steps ||
         force_squared < balance * balance * pushes.sum_of_squares)
-      return {std::move(centres), pushes.worst_overlap};
+      return {in_cube(std::move(centres), spheres.periodic), pushes.worst_overlap};
     const double power = inner_product(pushes.forces, velocities);
     if (power < 0) {
       std::ranges::fill(velocities, Vec3::Zero());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pfv/problem/face.hpp"
 #include "pfv/problem/vec3.hpp"
 
 #include <vector>
@@ -7,13 +8,15 @@
 namespace pfv {
 
 /// Spheres in the unit cube that push one another and the walls apart where they overlap, with the energy
-/// sum (overlap^2) / 2.
+/// sum (overlap^2) / 2. Along a periodic axis there are no walls, but images.
 struct SoftSpheres {
   std::vector<Vec3> centres;
   std::vector<double> radii;
+  PeriodicAxes periodic = {};
 };
 
-/// The deepest overlap in the result of relax, relative to the sum of the two radii, or to the radius at a wall.
+/// Centres, in the cube also along periodic axes, and the deepest overlap, relative to the sum of the two radii or to
+/// the radius at a wall.
 struct Relaxed {
   std::vector<Vec3> centres;
   double worst_overlap;

@@ -2,6 +2,7 @@
 
 #include "pfv/problem/case.hpp"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,9 +16,13 @@ struct PackingOrigin {
 };
 
 /// The parts of validate(case); each throws InputError on the first thing no method can work with.
-void validate(const Packing& packing, const PackingOrigin& origin);
+void validate(const Packing& packing, const PackingOrigin& origin, const PeriodicAxes& periodic);
 void validate(const Fluid& fluid);
 void validate(const FaceConditions& faces);
+void validate(const PressurePoint& point, const Box& box);
 void validate(const Buoyancy& buoyancy);
+
+/// The pressure is known somewhere, or driven along a periodic axis: otherwise the flow has no cause, or no answer.
+void validate_level(const FaceConditions& faces, std::span<const PressurePoint> points);
 
 } // namespace pfv

@@ -30,6 +30,16 @@ struct ConditionText {
   std::string operator()(const Pressure& pressure) const {
     return fmt::format("{{ pressure = {} }}", shortest(pressure.value));
   }
+  std::string operator()(const PressureProfile& profile) const {
+    std::string points;
+    for (const auto& [position, pressure] : profile.points)
+      points += fmt::format("{}[{}, {}]", points.empty() ? "" : ", ", shortest(position), shortest(pressure));
+    return fmt::format("{{ pressure = [{}], along = \"{}\" }}", points, axis_names[index(profile.along)]);
+  }
+  std::string operator()(const Flux& flux) const { return fmt::format("{{ flux = {} }}", shortest(flux.value)); }
+  std::string operator()(const Periodic& periodic) const {
+    return fmt::format("{{ periodic = {} }}", shortest(periodic.gradient));
+  }
 };
 
 } // namespace
@@ -45,6 +55,8 @@ std::string question_text(const Case& problem) {
   if (problem.buoyancy)
     text += fmt::format("\n[buoyancy]\nfluid_density = {}\ngravity = {}\n", shortest(problem.buoyancy->fluid_density),
                         list(problem.buoyancy->gravity));
+  for (const auto& [position, pressure] : problem.pressure_points)
+    text += fmt::format("\n[[pressure_points]]\nposition = {}\npressure = {}\n", list(position), shortest(pressure));
   return text;
 }
 

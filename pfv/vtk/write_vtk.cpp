@@ -1,5 +1,6 @@
 #include "pfv/vtk/write_vtk.hpp"
 
+#include "pfv/flow/fluxes.hpp"
 #include "pfv/problem/error.hpp"
 
 #include <fmt/format.h>
@@ -55,7 +56,7 @@ void write_pores(const std::filesystem::path& file, const SteadyFlow& flow) {
     const auto [i, j] = throats.pores[t];
     const vtkIdType ends[2] = {i, j};
     lines->InsertNextCell(2, ends);
-    flux.push_back(flow.system.conductance[t] * (flow.pressure[i] - flow.pressure[j]));
+    flux.push_back(throat_flux(flow.network, flow.system, flow.pressure, t));
   }
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(points);

@@ -36,9 +36,9 @@ struct Known {
 // What is known of the case, or why nothing is.
 std::variant<Known, std::string> look_up(const pfv::Case& problem) {
   const auto setup = pfv::permeability_setup(problem);
-  if (!setup)
-    return "needs different pressures on two opposite faces and slip walls on the other four";
-  const auto lattice = recognise_lattice(problem.packing);
+  if (!setup || !setup->pressure_drop)
+    return "needs flow along one axis under a given pressure drop or mean gradient and nothing across it";
+  const auto lattice = recognise_lattice(problem.packing, periodic_axes(problem.faces));
   if (!lattice)
     return "the packing is not a simple cubic, bcc or fcc lattice of whole cells in a cube";
   const auto drag = lattice_drag(lattice->lattice, lattice->solid_fraction);
@@ -52,7 +52,8 @@ std::vector<pfv::Vec3> forces(const Known& known) {
   double spheres = 0;
   for (const double part : known.lattice.part_inside)
     spheres += part;
-  const pfv::Vec3 total = -known.setup.pressure_drop * known.setup.area * pfv::Vec3::Unit(pfv::index(known.setup.axis));
+  const pfv::Vec3 total =
+      -*known.setup.pressure_drop * known.setup.area * pfv::Vec3::Unit(pfv::index(known.setup.axis));
   std::vector<pfv::Vec3> list;
   list.reserve(known.lattice.part_inside.size());
   for (const double part : known.lattice.part_inside)
@@ -88,7 +89,7 @@ Answer ClosedForm::solve(const pfv::Case& problem, const Resolution&, pfv::Clock
     const int axis = pfv::index(known.setup.axis);
     answer.method = name();
     answer.permeability = diameter * diameter / (18 * known.lattice.solid_fraction * known.drag.coefficient);
-    const double flux = *answer.permeability * known.setup.area * known.setup.pressure_drop /
+    const double flux = *answer.permeability * known.setup.area * *known.setup.pressure_drop /
                         (problem.fluid.viscosity * known.setup.length);
     answer.face_flux[static_cast<std::size_t>(2 * axis)] = flux;
     answer.face_flux[static_cast<std::size_t>(2 * axis + 1)] = -flux;

@@ -15,7 +15,7 @@ struct RecognisedLattice {
 };
 
 /// Which pfv::lattice_packing this packing is, up to the order of spheres, the place of the box and a relative 1e-9 of
-/// the cell; nothing when it is none.
-std::optional<RecognisedLattice> recognise_lattice(const pfv::Packing& packing);
+/// the cell; nothing when it is none. Along a periodic axis no sphere is cut.
+std::optional<RecognisedLattice> recognise_lattice(const pfv::Packing& packing, const pfv::PeriodicAxes& periodic = {});
 
 } // namespace reference

@@ -10,6 +10,7 @@
 #include "reference/openfoam/fluid_forces.hpp"
 #include "reference/openfoam/programs.hpp"
 #include "reference/temporary_folder.hpp"
+#include "reference/walls_and_pressures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -76,6 +77,8 @@ public:
     return reason ? reason : meshing::mesher_unavailable();
   }
   std::optional<std::string> not_covered(const pfv::Case& problem) const override {
+    if (const auto what = beyond_walls_and_pressures(problem))
+      return what;
     if (!(units_of(problem).pressure > 0))
       return "no two faces have different pressures";
     return std::nullopt;
@@ -94,7 +97,7 @@ Answer answer_in_si(const pfv::Case& problem, const FlowFields& fields, const Fl
   if (const auto setup = pfv::permeability_setup(problem)) {
     const auto lower = static_cast<std::size_t>(2 * pfv::index(setup->axis));
     const double flux = (answer.face_flux[lower] - answer.face_flux[lower + 1]) / 2;
-    answer.permeability = problem.fluid.viscosity * flux * setup->length / (setup->area * setup->pressure_drop);
+    answer.permeability = problem.fluid.viscosity * flux * setup->length / (setup->area * *setup->pressure_drop);
   }
   answer.sphere_forces = forces.on_spheres;
   answer.wall_forces = forces.on_faces;

@@ -1,6 +1,8 @@
 #include "reference/pore_volumes/pore_volumes.hpp"
 
 #include "pfv/flow/steady_flow.hpp"
+#include "pfv/problem/error.hpp"
+#include "pfv/problem/validate.hpp"
 #include "reference/cut_spheres.hpp"
 
 #include <algorithm>
@@ -19,10 +21,11 @@ public:
   std::string description() const override { return description_; }
 
   std::optional<std::string> not_covered(const pfv::Case& problem) const override {
-    const bool open = std::ranges::any_of(problem.faces,
-                                          [](const auto& face) { return std::holds_alternative<pfv::Pressure>(face); });
-    if (!open)
-      return "no face has a pressure";
+    try {
+      pfv::validate_level(problem.faces, problem.pressure_points);
+    } catch (const pfv::InputError& error) {
+      return error.what();
+    }
     return std::nullopt;
   }
 
@@ -51,15 +54,15 @@ public:
     answer.wall_forces = flow.forces.on_face;
     give_normal_parts_to_slip_walls(problem, *answer.sphere_forces, *answer.wall_forces);
     answer.stages = clock.stages();
-    answer.counts = {{"pores", flow.network.pores.size()},
-                     {"contracted_throats", flow.system.contracted_throats},
-                     {"raised_throats", flow.system.raised_throats},
-                     {"isolated_pores", flow.system.isolated_pores},
-                     {"hidden_spheres", flow.network.hidden_spheres.size()},
-                     {"iterations", flow.solver.iterations},
-                     {"flux_imbalance", std::abs(flow.flux_in / flow.flux_out - 1)}};
+    answer.counts = {
+        {"pores", flow.network.pores.size()},           {"contracted_throats", flow.system.contracted_throats},
+        {"raised_throats", flow.system.raised_throats}, {"rounded_throats", flow.system.rounded_throats},
+        {"isolated_pores", flow.system.isolated_pores}, {"hidden_spheres", flow.network.hidden_spheres.size()},
+        {"iterations", flow.solver.iterations},         {"flux_imbalance", flow.imbalance()}};
     answer.notes = {
         {"solver", flow.solver.name}, {"conductance", "hydraulic radius, alpha = 1/2"}, {"walls", "mirror"}};
+    if (flow.system.held_pores > 0)
+      answer.counts["held_pores"] = static_cast<double>(flow.system.held_pores);
     return answer;
   }
 

@@ -16,7 +16,7 @@ void add_flow(const pfv::Case& problem, const UnitCase& unit, const StokesSoluti
   // The flux that dissipates what the pressures put in: its error is of twice the order of a flux through one face.
   if (const auto setup = pfv::permeability_setup(problem))
     answer.permeability = problem.fluid.viscosity * solution.dissipation * unit.flux() * setup->length /
-                          (setup->area * std::abs(setup->pressure_drop));
+                          (setup->area * std::abs(*setup->pressure_drop));
 }
 
 void add_forces(const Forces& forces, double unit, Answer& answer) {

@@ -6,6 +6,7 @@
 #include "reference/stokes_fem/discretise.hpp"
 #include "reference/stokes_fem/estimate_cost.hpp"
 #include "reference/stokes_fem/flow_on_mesh.hpp"
+#include "reference/walls_and_pressures.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -39,6 +40,8 @@ public:
   std::optional<std::string> unavailable() const override { return meshing::mesher_unavailable(); }
 
   std::optional<std::string> not_covered(const pfv::Case& problem) const override {
+    if (const auto what = beyond_walls_and_pressures(problem))
+      return what;
     const bool driven = std::ranges::any_of(
         problem.faces, [](const auto& face) { return std::holds_alternative<pfv::Pressure>(face); });
     if (!driven)

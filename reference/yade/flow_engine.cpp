@@ -84,8 +84,8 @@ Reply run_flow_engine(const pfv::Case& problem, double wall_limit) {
   write_question(folder.path(), problem.packing, setup);
   run_script(folder.path(), "flow_engine.py", wall_limit);
   try {
-    return in_si(parse(json::parse(pfv::read_text(folder.path() / "reply.json"))), setup.length, setup.pressure_drop,
-                 problem.fluid.viscosity);
+    return in_si(parse(json::parse(pfv::read_text(folder.path() / "reply.json"))), setup.length,
+                 setup.pressure_drop.value(), problem.fluid.viscosity);
   } catch (const pfv::InputError& error) {
     throw pfv::SolveError(fmt::format("yade left no reply: {}", error.what()));
   } catch (const json::exception& error) {

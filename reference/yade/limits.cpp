@@ -1,5 +1,7 @@
 #include "reference/yade/limits.hpp"
 
+#include "reference/walls_and_pressures.hpp"
+
 #include <cmath>
 #include <fmt/format.h>
 
@@ -28,8 +30,10 @@ std::optional<std::size_t> reaching_out(const pfv::Packing& packing) {
 } // namespace
 
 std::optional<std::string> beyond_limits(const pfv::Case& problem) {
+  if (const auto reason = beyond_walls_and_pressures(problem))
+    return reason;
   const auto setup = pfv::permeability_setup(problem);
-  if (!setup)
+  if (!setup || !setup->pressure_drop)
     return "needs different pressures on two opposite faces and slip walls on the other four";
   const auto& spheres = problem.packing.spheres;
   if (spheres.size() < 3)

@@ -61,7 +61,7 @@ public:
     answer.face_flux[static_cast<std::size_t>(pfv::index(pfv::lower_face(setup.axis)))] = reply.flux_out;
     answer.face_flux[static_cast<std::size_t>(pfv::index(pfv::upper_face(setup.axis)))] = -reply.flux_in;
     const double flux = (reply.flux_in + reply.flux_out) / 2;
-    answer.permeability = problem.fluid.viscosity * flux * setup.length / (setup.area * setup.pressure_drop);
+    answer.permeability = problem.fluid.viscosity * flux * setup.length / (setup.area * *setup.pressure_drop);
     answer.sphere_forces = reply.forces;
     answer.stages = clock.stages();
     answer.counts = {{"cells", static_cast<double>(reply.cells)},

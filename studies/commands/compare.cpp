@@ -3,7 +3,6 @@
 #include "studies/commands/study_place.hpp"
 
 #include "pfv/problem/case.hpp"
-#include "pfv/problem/error.hpp"
 #include "reference/method.hpp"
 #include "studies/runner/progress.hpp"
 #include "studies/runner/study_run.hpp"
@@ -11,7 +10,6 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iostream>
@@ -25,28 +23,13 @@ namespace {
 struct CompareOptions {
   std::filesystem::path file;
   std::optional<std::string> axis;
+  std::vector<std::string> periodic;
   std::vector<std::string> methods;
   std::vector<double> mesh_sizes{1.4, 1.0};
   std::string reference = "stokes_fem";
   RunSettings settings;
   bool json = false;
 };
-
-pfv::Case read_question(const CompareOptions& options) {
-  if (options.file.extension() == ".toml") {
-    if (options.axis)
-      throw pfv::InputError("--axis is for packing files; a case in TOML has its own [flow]");
-    return pfv::read_case(options.file);
-  }
-  const auto axis = std::ranges::find(pfv::axis_names, options.axis.value_or("z"));
-  if (axis == pfv::axis_names.end())
-    throw pfv::InputError(
-        fmt::format("--axis '{}' must be one of {}", *options.axis, fmt::join(pfv::axis_names, ", ")));
-  pfv::Case problem;
-  problem.packing = pfv::read_packing(options.file);
-  problem.faces = pfv::flow_along(static_cast<pfv::Axis>(axis - pfv::axis_names.begin()));
-  return problem;
-}
 
 std::vector<std::string> wanted_methods(const CompareOptions& options) {
   std::vector<std::string> names = options.methods;
@@ -85,7 +68,12 @@ Study study_of(const CompareOptions& options, const pfv::Case& problem) {
 }
 
 int compare_command(CompareOptions options) {
-  const pfv::Case problem = read_question(options);
+  pfv::QuestionOptions question;
+  if (options.axis)
+    question.axis = pfv::axis_named(*options.axis);
+  if (!options.periodic.empty())
+    question.periodic = pfv::axes_named(options.periodic);
+  const pfv::Case problem = pfv::read_question(options.file, question);
   const Study study = study_of(options, problem);
   if (options.settings.work.root.empty())
     options.settings.work.root = studies_folder() / "compare" / "work" /
@@ -105,7 +93,10 @@ void add_compare(CLI::App& app, Invocation& invocation) {
   auto options = std::make_shared<CompareOptions>();
   CLI::App* command = app.add_subcommand("compare", "Asks several methods about one case or packing");
   command->add_option("case", options->file, "Case in TOML, or packing in text or CSV")->required();
-  command->add_option("--axis", options->axis, "Of the flow through a packing: x, y or z (the default)");
+  command->add_option("--axis", options->axis, "Of the flow: x, y or z (the default of a packing)");
+  command->add_option("--periodic", options->periodic, "Axes along which the box repeats: x,y,z or fewer")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command->add_option("--methods", options->methods, "Which, a,b,...; all by default")->delimiter(',');
   command->add_option("--mesh-sizes", options->mesh_sizes, "Of the methods with a mesh; 1 is the default mesh")
       ->delimiter(',')

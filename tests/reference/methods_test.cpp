@@ -62,5 +62,28 @@ TEST(Methods, SayWhyTheyDoNotCoverABoxWithoutAnyPressure) {
     }
 }
 
+pfv::Case case_with(const pfv::FaceCondition& below) {
+  pfv::Case problem = shut_case();
+  problem.faces = pfv::flow_along(pfv::Axis::z);
+  problem.faces[index(pfv::Face::z_min)] = below;
+  return problem;
+}
+
+TEST(Methods, ThatMeshKnowOnlyWallsAndPressuresAndSayWhatElseIsAsked) {
+  std::vector<std::pair<pfv::Case, std::string>> asked{
+      {case_with(pfv::Flux{1}), "an imposed flux on z_min"},
+      {case_with(pfv::PressureProfile{pfv::Axis::x, {{0, 0}}}), "a pressure profile on z_min"},
+      {case_with(pfv::Periodic{1}), "a periodic face on z_min"},
+      {case_with(pfv::Pressure{0}), "a pressure at a point"}};
+  asked.back().first.pressure_points = {{pfv::Vec3(0.5, 0.5, 0.5), 1}};
+  for (const char* name : {"stokes_fem", "openfoam"})
+    for (const auto& [problem, words] : asked)
+      if (!find_method(name).unavailable())
+        EXPECT_TRUE(find_method(name).not_covered(problem).value_or("").starts_with(words)) << name << ' ' << words;
+  for (const char* name : {"closed_form", "exact"})
+    for (const auto& [problem, words] : asked)
+      EXPECT_TRUE(find_method(name).not_covered(problem)) << name << ' ' << words;
+}
+
 } // namespace
 } // namespace reference

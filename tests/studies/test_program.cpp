@@ -174,7 +174,10 @@ TEST_F(Program, ComparesOnACaseAndOnAPackingFile) {
   EXPECT_EQ(study(on_case).exit_code, 0);
   EXPECT_EQ(rows().size(), 2U); // the same question: nothing was run again
 
-  on_case.insert(on_case.begin() + 2, {"--axis", "x"});
+  on_case.insert(on_case.begin() + 2, {"--axis", "y"}); // the command line wins
+  EXPECT_EQ(study(on_case).exit_code, 0);
+  EXPECT_EQ(rows().size(), 4U);
+  on_case[3] = "w";
   EXPECT_EQ(study(on_case).exit_code, 2);
 }
 

@@ -62,6 +62,43 @@ TEST(PermeabilityCommand, ReadsACase) {
   EXPECT_GT(json["contracted_throats"], 0);
 }
 
+const std::string lattice = "[packing]\ngenerator = \"bcc\"\nsolid_fraction = \"touching\"\n";
+
+TEST(PermeabilityCommand, RepeatsTheBox) {
+  const TemporaryFile file("bcc.toml", lattice + "[flow]\naxis = \"x\"\nperiodic = [\"x\", \"y\", \"z\"]\n");
+  const auto json = answer(file.path().string());
+  EXPECT_EQ(json["spheres"], 2);
+  EXPECT_NEAR(json["permeability"], 5.1270e-4 * 0.75, 1e-8); // d^2 = 3/4
+  EXPECT_NEAR(json["mean_flux"][0], -5.1270e-4 * 0.75, 1e-8);
+  const TemporaryFile walls("walls.toml", lattice + "[flow]\naxis = \"x\"\n");
+  EXPECT_NEAR(answer("--periodic x,y,z " + walls.path().string())["permeability"], json["permeability"], 1e-12);
+  EXPECT_FALSE(answer(walls.path().string()).contains("mean_flux"));
+  EXPECT_NE(permeability(file.path().string()).output.find("mean flux"), std::string::npos);
+}
+
+TEST(PermeabilityCommand, ReportsThePressureOfAPump) {
+  const TemporaryFile file("pump.toml", lattice + "[faces]\nz_min = { pressure = 2 }\nz_max = { flux = 1e-3 }\n");
+  const auto json = answer(file.path().string());
+  EXPECT_NEAR(json["face_flux"]["z_max"], -1e-3, 1e-15);
+  EXPECT_NEAR(json["face_pressure"]["z_max"], 2 + 1e-3 / (5.1270e-4 * 0.75), 1e-3);
+  EXPECT_FALSE(json["face_pressure"].contains("z_min"));
+  EXPECT_NEAR(json["permeability"], 5.1270e-4 * 0.75, 1e-8);
+  EXPECT_NE(permeability(file.path().string()).output.find("pumped face"), std::string::npos);
+}
+
+TEST(PermeabilityCommand, ChoosesRulesByCaseFileOrOption) {
+  const TemporaryFile file("rules.toml", "[packing]\nfile = \"" + data + "/g200.txt\"\n[flow]\naxis = \"z\"\n" +
+                                             "[pfv]\nwalls = \"no-slip\"\nconductance = \"mixed-area\"\n");
+  const auto from_file = answer(file.path().string());
+  EXPECT_EQ(from_file["walls"], "no-slip");
+  EXPECT_EQ(from_file["conductance"], "mixed-area");
+  const auto said = answer(data + "/g200.txt --walls no-slip --conductance mixed-area");
+  EXPECT_EQ(from_file["permeability"], said["permeability"]);
+  EXPECT_EQ(from_file["digest"], said["digest"]);
+  EXPECT_EQ(answer(file.path().string() + " --walls mirror")["walls"], "mirror");
+  EXPECT_LT(said["permeability"], answer(data + "/g200.txt --conductance mixed-area")["permeability"]);
+}
+
 TEST(PermeabilityCommand, WritesForcesAndFiles) {
   const TemporaryFile place("here", "");
   const std::string folder = place.path().parent_path().string();
@@ -87,14 +124,22 @@ TEST(PermeabilityCommand, AnswersEveryPackingWithoutNan) {
 
 TEST(PermeabilityCommand, RefusesBadInputInOneLine) {
   expect_bad_input("missing.txt", "missing.txt");
-  expect_bad_input(data + "/g200.txt --axis w", "\"w\" is not one of x, y, z");
+  expect_bad_input(data + "/g200.txt --axis w", "\"w\" must be one of x, y, z");
   expect_bad_input(data + "/g200.txt --solver jacobi", "jacobi");
+  expect_bad_input(data + "/g200.txt --walls rough", "walls \"rough\" is not one of mirror, no-slip, original");
+  expect_bad_input(data + "/g200.txt --conductance x", "is not one of hydraulic-radius, mixed-area");
+  expect_bad_input(data + "/g200.txt --periodic x,w", "axis \"w\" must be one of x, y, z");
   expect_bad_input(data + "/g200.txt --viscosity 0", "viscosity");
   expect_bad_input(data + "/g200.txt --viscosity water", "water");
   expect_bad_input(data + "/g200.txt --unknown", "--unknown");
   expect_bad_input(data + "/g200.txt --forces /nowhere/forces.csv", "/nowhere/forces.csv");
   const TemporaryFile negative("bad.txt", "# box 0 0 0 1 1 1\n.5 .5 .5 -.1\n");
   expect_bad_input(negative.path().string(), "bad.txt:2");
+}
+
+TEST(PermeabilityCommand, RefusesACaseWithoutALevel) {
+  const TemporaryFile file("lost.toml", lattice + "[faces]\nz_max = { flux = 1 }\n");
+  expect_bad_input(file.path().string(), "leave the pressure without a level");
 }
 
 TEST(PermeabilityCommand, ExitsWithThreeWhenItCannotSolve) {

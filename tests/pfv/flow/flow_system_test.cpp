@@ -7,6 +7,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
+#include <limits>
 
 using namespace pfv;
 using namespace pfv::testing;
@@ -16,8 +17,8 @@ namespace {
 TEST(FlowSystem, IsPositiveDefinite) {
   for (const char* file : {"bcc9.txt", "bcc9jit.txt", "g200.txt"}) {
     const auto system = solved(flow_through(packing_from(file))).system;
-    const Eigen::SparseMatrix<double> whole = system.matrix.selfadjointView<Eigen::Lower>();
-    const Eigen::MatrixXd dense = whole;
+    const Eigen::MatrixXd dense = system.matrix;
+    EXPECT_EQ((dense - dense.transpose()).norm(), 0) << file;
     EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense).eigenvalues().minCoeff(), 0) << file;
   }
 }
@@ -58,6 +59,36 @@ TEST(FlowSystem, WorksWithOneFaceAtAPressure) {
   const auto flow = solved(problem);
   EXPECT_FALSE(flow.permeability.has_value());
   EXPECT_LT(flow.flux_in, 1e-13);
+}
+
+TEST(FlowSystem, RefreshesInPlace) {
+  Packing packing = packing_from("g200.txt");
+  FaceConditions faces = flow_along(Axis::z);
+  faces[index(Face::z_max)] = PressureProfile{Axis::x, {{0, 1}, {1, 2}}};
+  Clock clock;
+  PoreNetwork network = build_pore_network(packing, {}, clock);
+  Conductances k = conductances(network, HydraulicRadius{}, MirrorWalls{}, 1);
+  FlowSystem system = assemble(network, k, faces);
+  for (Sphere& sphere : packing.spheres)
+    sphere.radius *= 0.999;
+  follow(network, packing, clock);
+  update(k, network, MixedArea{}, MirrorWalls{}, 1);
+  const double* values = system.matrix.valuePtr();
+  ASSERT_TRUE(refresh(system, network, k));
+  const FlowSystem fresh = assemble(network, k, faces);
+  EXPECT_EQ(system.matrix.valuePtr(), values);
+  EXPECT_LT(Eigen::MatrixXd(system.matrix - fresh.matrix).norm(), 1e-14 * fresh.matrix.norm());
+  EXPECT_LT((system.right_side - fresh.right_side).norm(), 1e-14 * fresh.right_side.norm());
+  EXPECT_EQ(system.known_pressure, fresh.known_pressure);
+}
+
+TEST(FlowSystem, DoesNotRefreshAnotherPattern) {
+  Clock clock;
+  const PoreNetwork network = build_pore_network(packing_from("g200.txt"), {}, clock);
+  Conductances k = conductances(network, HydraulicRadius{}, MirrorWalls{}, 1);
+  FlowSystem system = assemble(network, k, flow_along(Axis::z));
+  k.values[7] = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(refresh(system, network, k));
 }
 
 TEST(FlowSystem, TimesItsStagesInOrder) {

@@ -118,8 +118,7 @@ TEST(Lattice, JitterChangesThePermeabilityNoMoreThanItself) {
           if (at > exact.box.lower[a] && at < exact.box.upper[a])
             sphere.centre[a] = at;
         }
-      EXPECT_NEAR(*solved(flow_through(moved)).permeability / k, 1, 1e-7 + 20 * jitter)
-          << name << ' ' << jitter;
+      EXPECT_NEAR(*solved(flow_through(moved)).permeability / k, 1, 1e-7 + 20 * jitter) << name << ' ' << jitter;
     }
   }
 }

@@ -40,7 +40,7 @@ TEST(PermeabilitySetup, IsOfTwoOppositeFacesAtDifferentPressures) {
   const auto setup = permeability_setup(problem);
   ASSERT_TRUE(setup);
   EXPECT_EQ(setup->axis, Axis::z);
-  EXPECT_DOUBLE_EQ(setup->pressure_drop, -6);
+  EXPECT_DOUBLE_EQ(setup->pressure_drop.value(), -6);
   EXPECT_DOUBLE_EQ(setup->length, 5);
   EXPECT_DOUBLE_EQ(setup->area, 6);
 }
@@ -73,8 +73,10 @@ TEST(ValidateCase, RefusesWhatNoMethodCanWorkWith) {
   }
   problem = sample();
   problem.faces = {};
-  EXPECT_EQ(complaint(problem),
-            "faces are all \"slip\"; at least one must carry a pressure, or the pressure has no level");
+  EXPECT_EQ(
+      complaint(problem),
+      "faces \"slip\", \"slip\", \"slip\", \"slip\", \"slip\", \"slip\" leave the pressure without a level; at least "
+      "one face or point must have a pressure, or a periodic axis a gradient");
   problem.faces[3] = Pressure{std::nan("")};
   EXPECT_EQ(complaint(problem), "y_max pressure \"nan\" must be a finite number (Pa)");
 

@@ -111,5 +111,18 @@ TEST(NineSpheres, RefusesSizes) {
   EXPECT_EQ(message_of<InputError>([] { nine_spheres(-1); }), "size \"-1\" must be a positive number (m)");
 }
 
+TEST(LatticePacking, HasEachSphereOnceInAPeriodicBox) {
+  constexpr PeriodicAxes everywhere{true, true, true};
+  for (const int cells : {1, 2, 3})
+    for (const auto& [lattice, per_cell] :
+         {std::pair{Lattice::simple_cubic, 1}, {Lattice::bcc, 2}, {Lattice::fcc, 4}}) {
+      const Packing packing = lattice_packing(lattice, 0.5, cells, 0.1, everywhere);
+      EXPECT_EQ(packing.spheres.size(), static_cast<std::size_t>(per_cell * cells * cells * cells));
+      EXPECT_NEAR(solid_fraction(packing), 0.5, 1e-12);
+      EXPECT_NO_THROW(validate(packing, everywhere));
+    }
+  EXPECT_EQ(lattice_packing(Lattice::bcc, 0.5, 1, 1, {true, false, false}).spheres.size(), 4u + 1);
+}
+
 } // namespace
 } // namespace pfv

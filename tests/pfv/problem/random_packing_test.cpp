@@ -88,6 +88,51 @@ TEST(RandomPackingSeed, GivesTheSamePackingOnEveryMachine) {
   EXPECT_NE(random_packing({30, 0.4, 1, 1, 1}), random_packing({30, 0.4, 1, 2, 1}));
 }
 
+TEST(RandomPackingPeriodic, KeepsApartFromImages) {
+  for (const PeriodicAxes periodic : {PeriodicAxes{true, true, true}, PeriodicAxes{true, false, true}})
+    for (RandomPacking asked : {RandomPacking{1, 0.5}, RandomPacking{2, 0.4}, RandomPacking{30, 0.5, 2},
+                                RandomPacking{200, 0.55, 1, 3, 0.01}}) {
+      asked.periodic = periodic;
+      const Packing packing = random_packing(asked);
+      EXPECT_NEAR(solid_fraction(packing), asked.solid_fraction, 1e-12);
+      EXPECT_NO_THROW(validate(packing, periodic));
+      EXPECT_EQ(packing, random_packing(asked));
+      double closest = std::numeric_limits<double>::infinity();
+      int across = 0;
+      for (std::size_t i = 0; i < packing.spheres.size(); ++i) {
+        const Sphere& one = packing.spheres[i];
+        across += one.centre.x() + one.radius > asked.size;
+        EXPECT_EQ(periodic[1] || one.centre.y() + one.radius <= asked.size, true);
+        for (std::size_t j = 0; j <= i; ++j)
+          for (int image = 0; image < 27; ++image) {
+            const Vec3 shift(image % 3 - 1, image / 3 % 3 - 1, image / 9 - 1);
+            if ((i == j && image == 13) || (!periodic[1] && shift.y() != 0))
+              continue;
+            const Sphere& other = packing.spheres[j];
+            closest =
+                std::min(closest, (other.centre + asked.size * shift - one.centre).norm() - one.radius - other.radius);
+          }
+      }
+      EXPECT_GE(closest, -1e-15 * asked.size);
+      EXPECT_TRUE(asked.spheres < 30 || across > 0) << "no wall keeps them off";
+    }
+}
+
+TEST(RandomPackingPeriodic, IsTheSameOnEveryMachine) {
+  // Copied from a run that was the same at -O0 and -O3 with AVX2 and fused multiply-adds.
+  RandomPacking small{30, 0.45, 2, 1, 1}, larger{100, 0.5, 1.3, 1, 1};
+  small.periodic = larger.periodic = {true, false, true};
+  EXPECT_EQ(digest_of(random_packing(small)), "1df23c60aec771117e0e9262ea7b5cf1");
+  EXPECT_EQ(digest_of(random_packing(larger)), "6e2620974a722d29ecd2380a46f5ee0d");
+}
+
+TEST(RandomPackingPeriodic, DoesNotFitASphereLargerThanItsBox) {
+  RandomPacking asked{1, 0.55};
+  asked.periodic = {true, true, true};
+  EXPECT_EQ(message_of<SolveError>([&] { random_packing(asked); }),
+            "solid_fraction \"0.55\" was not reached by \"1\" spheres: the search jams at 0.5236");
+}
+
 TEST(RandomPackingSize, OnlyScales) {
   const Packing unit = random_packing({30, 0.4, 2, 5, 1});
   const Packing small = random_packing({30, 0.4, 2, 5, 1e-3});

@@ -123,17 +123,18 @@ TEST(ReadCaseRefuses, FilesThatAreNotToml) {
 
 TEST(ReadCaseRefuses, UnknownKeysNamingTheValidOnes) {
   EXPECT_EQ(complaint_after_flow("[fluids]\n"),
-            "c.toml:7: unknown key \"fluids\" in a case; valid keys: name, packing, fluid, flow, faces, buoyancy");
+            "c.toml:7: unknown key \"fluids\" in a case; valid keys: name, packing, fluid, flow, faces, "
+            "pressure_points, buoyancy, pfv");
   EXPECT_EQ(complaint_after_flow("[fluid]\nviscocity = 1\n"),
             "c.toml:8: unknown key \"viscocity\" in [fluid]; valid keys: viscosity");
   EXPECT_EQ(complaint_after_flow("[buoyancy]\nfluid_density = 1\ndensity = 1\ngravity = [0, 0, 1]\n"),
             "c.toml:9: unknown key \"density\" in [buoyancy]; valid keys: fluid_density, gravity");
   EXPECT_EQ(complaint(nine + "[flow]\naxis = \"z\"\ndrop = 1\n"),
-            "c.toml:5: unknown key \"drop\" in [flow]; valid keys: axis, pressure_drop");
+            "c.toml:5: unknown key \"drop\" in [flow]; valid keys: axis, pressure_drop, periodic");
   EXPECT_EQ(complaint(nine + "[faces]\ntop = \"slip\"\n"),
             "c.toml:4: unknown key \"top\" in [faces]; valid keys: x_min, x_max, y_min, y_max, z_min, z_max");
   EXPECT_EQ(complaint(nine + "[faces]\nz_max = { p = 1 }\n"),
-            "c.toml:4: unknown key \"p\" in z_max; valid keys: pressure");
+            "c.toml:4: unknown key \"p\" in z_max; valid keys: pressure, flux, periodic");
 }
 
 TEST(ReadCaseRefuses, UnknownPackingKeysByKindOfPacking) {
@@ -227,13 +228,15 @@ TEST(ReadCaseRefuses, BadFlows) {
 
 TEST(ReadCaseRefuses, BadFaces) {
   EXPECT_EQ(complaint(nine + "[faces]\nz_min = \"open\"\n"),
-            "c.toml:4: z_min \"open\" must be \"slip\" or { pressure = <Pa> }");
+            "c.toml:4: z_min \"open\" must be \"slip\", \"periodic\", { pressure = <Pa> }, { pressure = [[<m>, <Pa>], "
+            "...], along = <axis> }, { flux = <m^3/s> } or { periodic = <Pa/m> }");
   EXPECT_EQ(complaint(nine + "[faces]\nz_min = {}\n"), "c.toml:4: z_min has no \"pressure\"; it is needed");
   EXPECT_EQ(complaint(nine + "[faces]\nz_min = { pressure = \"1\" }\n"), "c.toml:4: pressure \"1\" must be a number");
   EXPECT_EQ(complaint(nine + "[faces]\nz_min = { pressure = nan }\n"),
             "c.toml:3: z_min pressure \"nan\" must be a finite number (Pa)");
   EXPECT_EQ(complaint(nine + "[faces]\nz_min = \"slip\"\n"),
-            "c.toml:3: faces are all \"slip\"; at least one must carry a pressure, or the pressure has no level");
+            "c.toml:3: faces \"slip\", \"slip\", \"slip\", \"slip\", \"slip\", \"slip\" leave the pressure without a "
+            "level; at least one face or point must have a pressure, or a periodic axis a gradient");
 }
 
 TEST(ReadCaseRefuses, BadFluidsAndBuoyancies) {
@@ -241,7 +244,7 @@ TEST(ReadCaseRefuses, BadFluidsAndBuoyancies) {
             "c.toml:8: viscosity \"-3\" must be a positive number (Pa s)");
   EXPECT_EQ(complaint_after_flow("[fluid]\nviscosity = \"water\"\n"), "c.toml:8: viscosity \"water\" must be a number");
   EXPECT_EQ(complaint_after_flow("fluid = 3\n"),
-            "c.toml:7: unknown key \"fluid\" in [flow]; valid keys: axis, pressure_drop");
+            "c.toml:7: unknown key \"fluid\" in [flow]; valid keys: axis, pressure_drop, periodic");
   EXPECT_EQ(complaint_after_flow("[buoyancy]\nfluid_density = 1000\n"),
             "c.toml:7: [buoyancy] has no \"gravity\"; it is needed");
   EXPECT_EQ(complaint_after_flow("[buoyancy]\nfluid_density = 1000\ngravity = -9.81\n"),

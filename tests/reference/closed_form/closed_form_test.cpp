@@ -104,6 +104,23 @@ TEST(ClosedForm, MoreCellsDoNotChangeThePermeability) {
               *answer(lattice_case(Lattice::bcc, 0.125, 1)).permeability, 1e-15);
 }
 
+TEST_P(EveryLattice, IsTheSameInAPeriodicBox) {
+  const pfv::Case cut = lattice_case(GetParam(), 0.343, 2);
+  for (const pfv::PeriodicAxes periodic : {pfv::PeriodicAxes{true, true, true}, {true, false, false}}) {
+    pfv::Case problem;
+    problem.packing = pfv::lattice_packing(GetParam(), 0.343, 2, 1, periodic);
+    problem.faces = pfv::flow_along(pfv::Axis::z, 1, periodic, problem.packing.box);
+    ASSERT_FALSE(make_closed_form()->not_covered(problem));
+    EXPECT_NEAR(*answer(problem).permeability / *answer(cut).permeability, 1, 1e-14);
+    EXPECT_NEAR(answer(problem).face_flux[4] / answer(cut).face_flux[4], 1, 1e-14);
+    pfv::Vec3 force = pfv::Vec3::Zero();
+    const Answer all = answer(problem);
+    for (const pfv::Vec3& one : *all.sphere_forces)
+      force += one;
+    EXPECT_NEAR(force.z(), -4, 1e-12);
+  }
+}
+
 TEST(ClosedForm, NamesTheTabulatedFractionsWhenThereIsNoneForTheCase) {
   const auto reason = make_closed_form()->not_covered(lattice_case(Lattice::simple_cubic, 0.3));
   ASSERT_TRUE(reason);

@@ -1,0 +1,107 @@
+#include "pfv/problem/read_conditions.hpp"
+
+#include "pfv/problem/toml_input.hpp"
+#include "pfv/problem/validate.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace pfv {
+
+namespace {
+
+Axis as_axis(const toml::node& node, std::string_view name) {
+  const std::string text = as_text(node, name);
+  return located(node, [&] { return axis_named(text); });
+}
+
+PeriodicAxes as_periodic_axes(const toml::node& node) {
+  const auto* list = node.as_array();
+  if (!list)
+    fail_at(node, fmt::format("periodic \"{}\" must be a list of axes, [\"x\", \"y\", \"z\"] or fewer", quote(node)));
+  PeriodicAxes periodic{};
+  for (const toml::node& name : *list)
+    periodic[index(as_axis(name, "periodic"))] = true;
+  return periodic;
+}
+
+PressureProfile read_profile(const toml::table& table, const toml::array& points, std::string_view face) {
+  PressureProfile profile{as_axis(required(table, face, "along"), "along"), {}};
+  for (const toml::node& point : points) {
+    const auto* pair = point.as_array();
+    if (!pair || pair->size() != 2)
+      fail_at(point, fmt::format("pressure \"{}\" must be two numbers [position (m), pressure (Pa)]", quote(point)));
+    profile.points.push_back({as_number((*pair)[0], "position"), as_number((*pair)[1], "pressure")});
+  }
+  return profile;
+}
+
+FaceCondition read_face(const toml::node& node, std::string_view name) {
+  if (const auto* text = node.as_string(); text && text->get() == "slip")
+    return SlipWall{};
+  else if (text && text->get() == "periodic")
+    return Periodic{};
+  const auto* table = node.as_table();
+  if (!table)
+    fail_at(node, fmt::format("{} \"{}\" must be \"slip\", \"periodic\", {{ pressure = <Pa> }}, {{ pressure = [[<m>, "
+                              "<Pa>], ...], along = <axis> }}, {{ flux = <m^3/s> }} or {{ periodic = <Pa/m> }}",
+                              name, quote(node)));
+  if (const toml::node* flux = table->get("flux")) {
+    allow_keys(*table, fmt::format("{} with a flux", name), {"flux"});
+    return Flux{as_number(*flux, "flux")};
+  }
+  if (const toml::node* gradient = table->get("periodic")) {
+    allow_keys(*table, fmt::format("{} with periodic", name), {"periodic"});
+    return Periodic{as_number(*gradient, "periodic")};
+  }
+  const toml::node* pressure = table->get("pressure");
+  if (const auto* points = pressure ? pressure->as_array() : nullptr) {
+    allow_keys(*table, fmt::format("{} with a pressure profile", name), {"pressure", "along"});
+    return read_profile(*table, *points, name);
+  }
+  allow_keys(*table, name, {"pressure", "flux", "periodic"});
+  return Pressure{as_number(required(*table, name, "pressure"), "pressure")};
+}
+
+} // namespace
+
+FlowAlong read_flow(const toml::table& table) {
+  allow_keys(table, "[flow]", {"axis", "pressure_drop", "periodic"});
+  FlowAlong flow;
+  flow.axis = as_axis(required(table, "[flow]", "axis"), "axis");
+  if (const toml::node* drop = table.get("pressure_drop")) {
+    flow.pressure_drop = as_number(*drop, "pressure_drop");
+    if (!std::isfinite(flow.pressure_drop) || flow.pressure_drop == 0)
+      fail_at(*drop, fmt::format("pressure_drop \"{}\" must be a finite number other than zero (Pa)", quote(*drop)));
+  }
+  if (const toml::node* periodic = table.get("periodic"))
+    flow.periodic = as_periodic_axes(*periodic);
+  return flow;
+}
+
+FaceConditions read_faces(const toml::table& table) {
+  allow_keys(table, "[faces]", {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"});
+  FaceConditions faces{};
+  for (const Face face : all_faces)
+    if (const toml::node* node = table.get(face_names[index(face)]))
+      faces[index(face)] = read_face(*node, face_names[index(face)]);
+  located(table, [&] { validate(faces); });
+  return faces;
+}
+
+std::vector<PressurePoint> read_pressure_points(const toml::node& node, const Box& box) {
+  const auto* list = node.as_array();
+  if (!list)
+    fail_at(node, fmt::format("pressure_points \"{}\" must be a list of tables [[pressure_points]]", quote(node)));
+  std::vector<PressurePoint> points;
+  for (const toml::node& entry : *list) {
+    const toml::table& table = as_table(entry, "pressure_points");
+    allow_keys(table, "[[pressure_points]]", {"position", "pressure"});
+    points.push_back({as_vector(required(table, "[[pressure_points]]", "position"), "position"),
+                      as_number(required(table, "[[pressure_points]]", "pressure"), "pressure")});
+    located(table, [&] { validate(points.back(), box); });
+  }
+  return points;
+}
+
+} // namespace pfv

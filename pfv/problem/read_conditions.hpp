@@ -1,0 +1,26 @@
+#pragma once
+
+#include "pfv/problem/case.hpp"
+
+#include <toml++/toml.h>
+#include <variant>
+#include <vector>
+
+namespace pfv {
+
+/// [flow] of a case: flow_along, before the box is known.
+struct FlowAlong {
+  Axis axis = Axis::z;
+  double pressure_drop = 1; // Pa
+  PeriodicAxes periodic = {};
+};
+
+/// What a case says of its faces, in [flow] or in [faces].
+using FaceInput = std::variant<FlowAlong, FaceConditions>;
+
+/// All three throw InputError with file and line.
+FlowAlong read_flow(const toml::table& table);
+FaceConditions read_faces(const toml::table& table);
+std::vector<PressurePoint> read_pressure_points(const toml::node& node, const Box& box);
+
+} // namespace pfv

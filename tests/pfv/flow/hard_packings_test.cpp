@@ -1,0 +1,59 @@
+// Random testing: whatever the packing, the flow is finite, balanced and bounded, or it is refused in one line.
+// PFV_HARD_PACKINGS sets how many are tried; thousands belong under the sanitizers (preset debug).
+#include "pfv/problem/error.hpp"
+#include "support/hard_packings.hpp"
+#include "support/packings.hpp"
+
+#include <cstdlib>
+#include <gtest/gtest.h>
+
+using namespace pfv;
+using namespace pfv::testing;
+
+namespace {
+
+bool one_line(const std::exception& error) {
+  const std::string what = error.what();
+  return !what.empty() && what.find('\n') == std::string::npos;
+}
+
+void expect_sound(const SteadyFlow& flow) {
+  for (const double pressure : flow.pressure) {
+    ASSERT_GE(pressure, -1e-9);
+    ASSERT_LE(pressure, 1 + 1e-9);
+  }
+  ASSERT_TRUE(std::isfinite(flow.flux_in) && std::isfinite(flow.flux_out));
+  const double most = std::max(flow.flux_in, flow.flux_out);
+  ASSERT_LE(std::abs(flow.flux_in - flow.flux_out), 1e-8 * most);
+  ASSERT_TRUE(flow.permeability && *flow.permeability >= 0);
+  for (std::size_t k = 0; k < flow.forces.pressure.size(); ++k)
+    ASSERT_TRUE(flow.forces.of_flow(k).allFinite()) << k;
+}
+
+TEST(HardPackings, AreAnsweredSoundlyOrRefusedInOneLine) {
+  const char* asked = std::getenv("PFV_HARD_PACKINGS");
+  const int count = asked ? std::atoi(asked) : 300;
+  int answered = 0;
+  for (int n = 0; n < count; ++n) {
+    SCOPED_TRACE("packing " + std::to_string(n));
+    HardPackings packings(n);
+    const Case problem = flow_through(packings.next(), static_cast<Axis>(n % 3));
+    try {
+      validate(problem);
+      const SteadyFlow flow = solved(problem);
+      expect_sound(flow);
+      ++answered;
+    } catch (const InputError& refused) {
+      EXPECT_TRUE(one_line(refused)) << refused.what();
+    } catch (const SolveError& refused) {
+      EXPECT_TRUE(one_line(refused)) << refused.what();
+      RecordProperty("refused", refused.what());
+      std::printf("%d: %s\n", n, refused.what());
+    }
+    if (HasFatalFailure())
+      return;
+  }
+  EXPECT_GT(answered, .9 * count);
+}
+
+} // namespace
