@@ -48,7 +48,8 @@ std::optional<std::string> beyond_limits(const pfv::Case& problem) {
 
 Estimate expected_cost(const pfv::Case& problem) {
   const auto spheres = static_cast<double>(problem.packing.spheres.size());
-  return {6.1 * spheres, 2 + 1.2e-4 * spheres + 1.2e-6 * std::pow(spheres, 1.5), 2.6e8 + 2e4 * spheres};
+  return {6.1 * spheres, 2 + 1.2e-4 * spheres + 1.2e-6 * std::pow(spheres, 1.5),
+          2.6e8 + 1.5e4 * spheres + 40 * std::pow(spheres, 1.5)};
 }
 
 } // namespace reference::yade
