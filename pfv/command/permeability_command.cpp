@@ -75,7 +75,7 @@ void add_permeability_command(CLI::App& app) {
       ->delimiter(',')
       ->allow_extra_args(false);
   command->add_option("--viscosity", options->viscosity, "of the fluid (Pa s)");
-  command->add_option("--solver", options->how.solver, "auto, cholmod or gauss-seidel");
+  command->add_option("--solver", options->how.solver, "auto, cholmod, gauss-seidel, amg or multigrid");
   command->add_option("--walls", options->how.walls, list_of(names_of<WallRule>()));
   command->add_option("--conductance", options->how.conductance, list_of(names_of<Conductance>()));
   command->add_option("--forces", options->forces_file, "write the force on every sphere to this CSV file (N)");

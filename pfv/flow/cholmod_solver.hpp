@@ -4,6 +4,7 @@
 
 namespace pfv {
 
+/// Supernodal or simplicial Cholesky factorisation, ordered by CHOLMOD (Chen et al. 2008): its answer, refined once.
 std::unique_ptr<FlowSolver> make_cholmod();
 
 } // namespace pfv

@@ -1,12 +1,38 @@
 #include "pfv/flow/flow_solver.hpp"
 
+#include "pfv/flow/amg_solver.hpp"
+#include "pfv/flow/auto_solver.hpp"
 #include "pfv/flow/cholmod_solver.hpp"
 #include "pfv/flow/gauss_seidel.hpp"
+#include "pfv/flow/multigrid_solver.hpp"
 #include "pfv/problem/error.hpp"
 
 #include <fmt/format.h>
 
 namespace pfv {
+namespace {
+
+std::unique_ptr<FlowSolver> make(const AutoSolver& parameters) {
+  return make_auto_solver(parameters);
+}
+
+std::unique_ptr<FlowSolver> make(const Cholmod&) {
+  return make_cholmod();
+}
+
+std::unique_ptr<FlowSolver> make(const GaussSeidel& parameters) {
+  return make_gauss_seidel(parameters);
+}
+
+std::unique_ptr<FlowSolver> make(const Amg& parameters) {
+  return make_amg(parameters);
+}
+
+std::unique_ptr<FlowSolver> make(const Multigrid& parameters) {
+  return make_multigrid(parameters);
+}
+
+} // namespace
 
 SolverChoice solver_named(std::string_view name) {
   if (name == "auto")
@@ -15,13 +41,15 @@ SolverChoice solver_named(std::string_view name) {
     return Cholmod{};
   if (name == "gauss-seidel")
     return GaussSeidel{};
-  throw InputError(fmt::format("solver \"{}\" is not one of auto, cholmod, gauss-seidel", name));
+  if (name == "amg")
+    return Amg{};
+  if (name == "multigrid")
+    return Multigrid{};
+  throw InputError(fmt::format("solver \"{}\" is not one of auto, cholmod, gauss-seidel, amg, multigrid", name));
 }
 
 std::unique_ptr<FlowSolver> make_solver(const SolverChoice& choice) {
-  if (const auto* parameters = std::get_if<GaussSeidel>(&choice))
-    return make_gauss_seidel(*parameters);
-  return make_cholmod();
+  return std::visit([](const auto& parameters) { return make(parameters); }, choice);
 }
 
 } // namespace pfv

@@ -11,10 +11,6 @@ namespace {
 
 constexpr double no_way = 1e-12; // of what the pores on a face would conduct
 
-Eigen::VectorXd solved(FlowSolver& solver, const Eigen::VectorXd& right_side) {
-  return solver.solve(right_side);
-}
-
 std::vector<Face> flux_faces(const FaceConditions& faces) {
   std::vector<Face> found;
   for (const Face face : all_faces)
@@ -58,11 +54,12 @@ std::vector<double> with_unknowns(std::vector<double> pressure, const FlowSystem
 
 } // namespace
 
-Eigen::VectorXd solve_with_flux_faces(const PoreNetwork& network, FlowSystem& system, FlowSolver& solver) {
-  Eigen::VectorXd solution = solved(solver, system.right_side);
+void solve_with_flux_faces(const PoreNetwork& network, FlowSystem& system, FlowSolver& solver,
+                           Eigen::VectorXd& solution) {
+  solver.solve(system.right_side, solution);
   const std::vector<Face> faces = flux_faces(system.faces);
   if (faces.empty())
-    return solution;
+    return;
   for (const Face face : faces)
     impose(system, face, 0);
   const auto count = static_cast<Eigen::Index>(faces.size());
@@ -79,8 +76,10 @@ Eigen::VectorXd solve_with_flux_faces(const PoreNetwork& network, FlowSystem& sy
     const double value = std::get<Flux>(system.faces[index(faces[f])]).value;
     missing[f] -= value;
     const Response response = response_to(faces[f], network, system);
-    responses.col(f) = solved(solver, response.right_side);
-    conductance.col(f) = fluxes(with_unknowns(response.known, system, responses.col(f)));
+    Eigen::VectorXd unknown;
+    solver.solve(response.right_side, unknown);
+    responses.col(f) = unknown;
+    conductance.col(f) = fluxes(with_unknowns(response.known, system, unknown));
     if (!(std::abs(conductance(f, f)) > no_way * response.conductance))
       throw SolveError(fmt::format("flux {} m^3/s of {} has no way to a face or point with a pressure", value,
                                    face_names[index(faces[f])]));
@@ -89,7 +88,6 @@ Eigen::VectorXd solve_with_flux_faces(const PoreNetwork& network, FlowSystem& sy
   solution += responses * pressure;
   for (Eigen::Index f = 0; f < count; ++f)
     impose(system, faces[f], pressure[f]);
-  return solution;
 }
 
 } // namespace pfv

@@ -17,15 +17,31 @@ public:
     report_.name = "gauss-seidel";
   }
 
-  void factor(const Eigen::SparseMatrix<double>& lower) override { rows_ = lower.selfadjointView<Eigen::Lower>(); }
+  void analyse(const FlowMatrix& matrix) override {
+    report_.unknowns = static_cast<std::size_t>(matrix.rows());
+    report_.matrix_entries = static_cast<std::size_t>(matrix.nonZeros());
+  }
 
-  Eigen::VectorXd solve(const Eigen::VectorXd& right_side) override {
-    Eigen::VectorXd solution = Eigen::VectorXd::Zero(right_side.size());
+  void factor(const FlowMatrix& matrix) override {
+    if (matrix.rows() > 0 && !(matrix.diagonal().minCoeff() > 0))
+      throw SolveError("gauss-seidel: the matrix is not positive definite, its diagonal is not positive");
+    matrix_ = &matrix;
+  }
+
+  void update(const FlowMatrix& matrix) override { factor(matrix); }
+
+  void solve(const Eigen::VectorXd& right_side, Eigen::VectorXd& pressure) override {
+    if (pressure.size() != right_side.size())
+      pressure.setZero(right_side.size());
     const double scale = right_side.norm();
     report_.iterations = 0;
     report_.residual = 0;
-    if (scale == 0)
-      return solution;
+    if (!std::isfinite(scale))
+      throw SolveError("gauss-seidel: the right side is not finite");
+    if (scale == 0) {
+      pressure.setZero();
+      return;
+    }
     constexpr int sweeps_between_checks = 20;
     double relaxation = parameters_.relaxation.value_or(1.9);
     double decay = 0;
@@ -33,10 +49,10 @@ public:
       if (report_.iterations >= parameters_.largest_sweeps)
         throw SolveError(fmt::format("gauss-seidel: residual {:.1e} after {} sweeps, {:.1e} asked for",
                                      report_.residual, report_.iterations, parameters_.tolerance));
-      const double first = sweep(right_side, relaxation, solution);
+      const double first = sweep(right_side, relaxation, pressure);
       double last = first;
       for (int s = 1; s < sweeps_between_checks; ++s)
-        last = sweep(right_side, relaxation, solution);
+        last = sweep(right_side, relaxation, pressure);
       const double previous_decay = decay;
       decay = first > 0 ? std::pow(last / first, 1.0 / (sweeps_between_checks - 1)) : 0;
       report_.iterations += sweeps_between_checks;
@@ -44,18 +60,21 @@ public:
       const bool settled = std::abs(decay - previous_decay) < 0.1 * (1 - decay);
       if (!parameters_.relaxation && settled)
         relaxation = adapted(relaxation, decay);
-      report_.residual = (right_side - rows_ * solution).norm() / scale;
+      report_.residual = (right_side - *matrix_ * pressure).norm() / scale;
+      if (!std::isfinite(report_.residual))
+        throw SolveError("gauss-seidel: it diverges, the matrix is not positive definite");
     } while (!(report_.residual <= parameters_.tolerance));
-    return solution;
   }
+
+  const SolverReport& report() const override { return report_; }
 
 private:
   /// One pass over the pores; the norm of the change it makes.
   double sweep(const Eigen::VectorXd& right_side, double relaxation, Eigen::VectorXd& solution) const {
     double change = 0;
-    for (Eigen::Index i = 0; i < rows_.outerSize(); ++i) {
+    for (Eigen::Index i = 0; i < matrix_->rows(); ++i) {
       double balance = right_side[i], diagonal = 0;
-      for (Rows::InnerIterator entry(rows_, i); entry; ++entry) {
+      for (FlowMatrix::InnerIterator entry(*matrix_, i); entry; ++entry) {
         if (entry.col() == i)
           diagonal = entry.value();
         else
@@ -79,9 +98,9 @@ private:
     return std::clamp(best, relaxation, 1.999);
   }
 
-  using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
   GaussSeidel parameters_;
-  Rows rows_;
+  const FlowMatrix* matrix_ = nullptr;
+  SolverReport report_;
 };
 
 } // namespace

@@ -74,11 +74,13 @@ SteadyFlow solve_steady_flow(const Case& problem, const FlowOptions& options, Cl
   const auto solver = make_solver(options.solver);
   {
     const auto timing = clock.stage("factor");
-    solver->factor(Eigen::SparseMatrix<double>(flow.system.matrix).triangularView<Eigen::Lower>());
+    solver->analyse(flow.system.matrix);
+    solver->factor(flow.system.matrix);
   }
   {
     const auto timing = clock.stage("solve");
-    const Eigen::VectorXd solution = solve_with_flux_faces(flow.network, flow.system, *solver);
+    Eigen::VectorXd solution;
+    solve_with_flux_faces(flow.network, flow.system, *solver, solution);
     flow.pressure = pore_pressures(flow.system, solution);
     flow.solver = solver->report();
     add_fluxes(flow);

@@ -1,0 +1,117 @@
+#include "pfv/flow/conjugate_gradients.hpp"
+
+#include "pfv/problem/error.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace pfv {
+namespace {
+
+class ConjugateGradients final : public FlowSolver {
+public:
+  ConjugateGradients(const std::string& name, std::unique_ptr<Preconditioner> preconditioner, double tolerance)
+      : preconditioner_(std::move(preconditioner)), tolerance_(tolerance) {
+    if (!(tolerance > 0 && tolerance < 1))
+      throw InputError(fmt::format("{}: tolerance {} must lie between 0 and 1", name, tolerance));
+    report_.name = name;
+  }
+
+  void analyse(const FlowMatrix& matrix) override {
+    report_.unknowns = static_cast<std::size_t>(matrix.rows());
+    report_.matrix_entries = static_cast<std::size_t>(matrix.nonZeros());
+    if (matrix.rows() > 0)
+      preconditioner_->analyse(matrix);
+  }
+
+  void factor(const FlowMatrix& matrix) override {
+    matrix_ = &matrix;
+    stale_ = false;
+    if (matrix.rows() == 0)
+      return;
+    preconditioner_->factor(matrix);
+    preconditioner_->describe(report_);
+    report_.memory_bytes += 4 * sizeof(double) * report_.unknowns;
+  }
+
+  void update(const FlowMatrix& matrix) override {
+    matrix_ = &matrix;
+    stale_ = true;
+  }
+
+  void solve(const Eigen::VectorXd& right_side, Eigen::VectorXd& pressure) override {
+    if (pressure.size() != right_side.size())
+      pressure.setZero(right_side.size());
+    report_.iterations = 0;
+    report_.residual = 0;
+    const double scale = right_side.norm();
+    if (!std::isfinite(scale))
+      throw SolveError(fmt::format("{}: the right side is not finite", report_.name));
+    if (scale == 0) {
+      pressure.setZero();
+      return;
+    }
+    if (!iterate(right_side, pressure, stale_ ? most_steps_when_stale : most_steps)) {
+      if (stale_) {
+        factor(*matrix_);
+        ++report_.refactored;
+      }
+      if (!iterate(right_side, pressure, most_steps))
+        throw SolveError(fmt::format("{}: tolerance {:.1e} not reached in {} iterations", report_.name, tolerance_,
+                                     report_.iterations));
+    }
+    residual_ = right_side - *matrix_ * pressure;
+    report_.residual = residual_.norm() / scale;
+    if (!std::isfinite(report_.residual))
+      throw SolveError(fmt::format("{}: the solution is not finite", report_.name));
+  }
+
+  const SolverReport& report() const override { return report_; }
+
+private:
+  static constexpr int most_steps = 1000;
+  static constexpr int most_steps_when_stale = 30;
+
+  /// False when the steps do not suffice.
+  bool iterate(const Eigen::VectorXd& right_side, Eigen::VectorXd& pressure, int most) {
+    residual_ = right_side - *matrix_ * pressure;
+    direction_.setZero(right_side.size());
+    correction_.resize(right_side.size());
+    double old_power = 1;
+    for (int step = 0; step < most; ++step) {
+      preconditioner_->apply(residual_, correction_);
+      const double power_of_error = residual_.dot(correction_);
+      if (power_of_error == 0)
+        return true;
+      direction_ = correction_ + power_of_error / old_power * direction_;
+      image_.noalias() = *matrix_ * direction_;
+      const double curvature = direction_.dot(image_);
+      if (!(power_of_error > 0 && curvature > 0))
+        throw SolveError(fmt::format("{}: the matrix is not positive definite", report_.name));
+      const double length = power_of_error / curvature;
+      pressure += length * direction_;
+      residual_ -= length * image_;
+      old_power = power_of_error;
+      ++report_.iterations;
+      if (power_of_error <= tolerance_ * tolerance_ * pressure.dot(right_side))
+        return true;
+    }
+    return false;
+  }
+
+  std::unique_ptr<Preconditioner> preconditioner_;
+  double tolerance_;
+  const FlowMatrix* matrix_ = nullptr;
+  bool stale_ = false;
+  Eigen::VectorXd residual_, correction_, direction_, image_;
+  SolverReport report_;
+};
+
+} // namespace
+
+std::unique_ptr<FlowSolver> make_conjugate_gradients(const std::string& name,
+                                                     std::unique_ptr<Preconditioner> preconditioner, double tolerance) {
+  return std::make_unique<ConjugateGradients>(name, std::move(preconditioner), tolerance);
+}
+
+} // namespace pfv

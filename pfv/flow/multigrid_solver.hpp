@@ -1,0 +1,11 @@
+#pragma once
+
+#include "pfv/flow/flow_solver.hpp"
+
+namespace pfv {
+
+/// Conjugate gradients with one V-cycle of multigrid, a forward sweep of Gauss-Seidel before and a backward one after
+/// the correction by the coarser level. Levels of single precision; the answer is of double precision all the same.
+std::unique_ptr<FlowSolver> make_multigrid(const Multigrid& parameters);
+
+} // namespace pfv
