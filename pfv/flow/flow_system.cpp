@@ -92,9 +92,9 @@ void fill_right_side(const PoreNetwork& network, FlowSystem& system) {
     const int a = system.unknown_of_pore[i], b = system.unknown_of_pore[j];
     const double rise = along(system.rise, crossing(system, network, t));
     if (a >= 0)
-      system.right_side[a] += k * (rise + (b >= 0 ? 0 : system.known_pressure[j]));
+      system.right_side[a] += k * (rise + (b >= 0 ? 0 : system.known_pressure[j] - system.level));
     if (b >= 0)
-      system.right_side[b] -= k * (rise - (a >= 0 ? 0 : system.known_pressure[i]));
+      system.right_side[b] -= k * (rise - (a >= 0 ? 0 : system.known_pressure[i] - system.level));
   }
 }
 
@@ -113,6 +113,7 @@ FlowSystem assemble(const PoreNetwork& network, Conductances conductances, const
   KnownPressures known = known_pressures(network, faces, points, system.rise, groups);
   system.source_of_pore = std::move(known.source);
   system.known_pressure = std::move(known.value);
+  system.level = known.mean;
   const int unknowns = number_unknowns(network, known.mean, groups, system);
   system.matrix = matrix_of(unknowns, links(network, system));
   system.right_side.resize(unknowns);
@@ -164,14 +165,19 @@ bool refresh(FlowSystem& system, const PoreNetwork& network, const Conductances&
   return true;
 }
 
-std::vector<double> pore_pressures(const FlowSystem& system, const Eigen::VectorXd& solution) {
-  std::vector<double> pressure = system.known_pressure;
+void set_pore_pressures(const FlowSystem& system, const Eigen::VectorXd& solution, std::vector<double>& pressure) {
+  pressure = system.known_pressure;
   for (std::size_t i = 0; i < pressure.size(); ++i) {
     if (system.unknown_of_pore[i] >= 0)
-      pressure[i] = solution[system.unknown_of_pore[i]];
+      pressure[i] = system.level + solution[system.unknown_of_pore[i]];
     if (!system.offset.empty())
       pressure[i] -= along(system.rise, system.offset[i]);
   }
+}
+
+std::vector<double> pore_pressures(const FlowSystem& system, const Eigen::VectorXd& solution) {
+  std::vector<double> pressure;
+  set_pore_pressures(system, solution, pressure);
   return pressure;
 }
 

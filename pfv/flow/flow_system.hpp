@@ -32,6 +32,7 @@ struct FlowSystem {
   std::vector<Shift> offset;          // boxes from a pore to the first of its group; empty unless the box is periodic
   FaceConditions faces;
   std::size_t points = 0;     // with a pressure
+  double level = 0;           // Pa, the mean of the imposed pressures: the unknowns are pressures above it
   Vec3 rise = Vec3::Zero();   // Pa, from one box to the next
   FlowMatrix matrix;          // m^3/(Pa s)
   Eigen::VectorXd right_side; // m^3/s
@@ -58,6 +59,7 @@ bool refresh(FlowSystem& system, const PoreNetwork& network, const Conductances&
 void impose(FlowSystem& system, Face face, double pressure);
 
 /// Pressure of every pore (Pa) from the solution of the system.
+void set_pore_pressures(const FlowSystem& system, const Eigen::VectorXd& solution, std::vector<double>& pressure);
 std::vector<double> pore_pressures(const FlowSystem& system, const Eigen::VectorXd& solution);
 
 /// By how many boxes the group of the pore ahead is met away from that of the pore behind.

@@ -1,6 +1,9 @@
 #include "pfv/flow/fluid_forces.hpp"
 
+#include "pfv/flow/fluxes.hpp"
 #include "pfv/pores/throat_planes.hpp"
+
+#include <algorithm>
 
 namespace pfv {
 namespace {
@@ -15,39 +18,56 @@ std::array<double, 3> fluid_shares(const std::array<double, 3>& wetted, const st
   return {by[0] / total, by[1] / total, by[2] / total};
 }
 
+void clear(std::vector<Vec3>& vectors, std::size_t count) {
+  vectors.resize(count);
+  std::ranges::fill(vectors, Vec3::Zero());
+}
+
 } // namespace
 
-FluidForces fluid_forces(const PoreNetwork& network, const std::vector<double>& pressure,
-                         const std::optional<Buoyancy>& buoyancy) {
+void update(FluidForces& forces, const PoreNetwork& network, const FlowSystem& system,
+            const std::vector<double>& pressure, const WallRule& walls, const std::optional<Buoyancy>& buoyancy) {
   const std::size_t spheres = network.spheres.volume.size();
-  FluidForces forces{std::vector<Vec3>(spheres, Vec3::Zero()), std::vector<Vec3>(spheres, Vec3::Zero()), {}, {}};
+  clear(forces.pressure, spheres);
+  clear(forces.viscous, spheres);
   forces.on_face.fill(Vec3::Zero());
+  const double wall_share = std::visit([](const auto& rule) -> double { return rule.surface; }, walls);
 
   const auto& throats = network.throats;
   visit_planes(network, [&](std::size_t t, const ThroatPlane& plane) {
-    const auto [i, j] = throats.pores[t];
-    const Vec3 step = (pressure[i] - pressure[j]) * plane.normal;
+    const Vec3 step = pressure_drop(network, system, pressure, t) * plane.normal;
     std::array<double, 3> wetted = throats.wetted_surface[t];
     for (int c = 0; c < 3; ++c)
       if (is_wall(throats.vertices[t][c]))
-        wetted[c] = 0;
+        wetted[c] *= wall_share;
     const auto share = fluid_shares(wetted, plane.sector);
     for (int c = 0; c < 3; ++c) {
-      if (is_wall(throats.vertices[t][c]))
+      const Vertex v = throats.vertices[t][c];
+      const Vec3 viscous = plane.fluid_area() * share[c] * step;
+      if (is_wall(v)) {
+        forces.on_face[index(face_of(v))] += viscous;
         continue;
-      const int k = network.sites.number[throats.vertices[t][c]];
-      forces.pressure[k] += plane.sector[c] * step;
-      forces.viscous[k] += plane.fluid_area() * share[c] * step;
+      }
+      forces.pressure[network.sites.number[v]] += plane.sector[c] * step;
+      forces.viscous[network.sites.number[v]] += viscous;
     }
   });
   for (const auto& part : network.wall_parts)
     forces.on_face[index(part.face)] += pressure[part.pore] * part.area * outward_normal(part.face);
 
   if (buoyancy) {
-    forces.buoyancy.emplace(spheres);
+    if (!forces.buoyancy)
+      forces.buoyancy.emplace();
+    forces.buoyancy->resize(spheres);
     for (std::size_t k = 0; k < spheres; ++k)
       (*forces.buoyancy)[k] = -buoyancy->fluid_density * network.spheres.volume[k] * buoyancy->gravity;
   }
+}
+
+FluidForces fluid_forces(const PoreNetwork& network, const FlowSystem& system, const std::vector<double>& pressure,
+                         const WallRule& walls, const std::optional<Buoyancy>& buoyancy) {
+  FluidForces forces;
+  update(forces, network, system, pressure, walls, buoyancy);
   return forces;
 }
 

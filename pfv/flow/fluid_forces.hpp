@@ -1,5 +1,7 @@
 #pragma once
 
+#include "pfv/flow/flow_system.hpp"
+#include "pfv/flow/wall_rules.hpp"
 #include "pfv/pores/pore_network.hpp"
 #include "pfv/problem/case.hpp"
 
@@ -21,9 +23,14 @@ struct FluidForces {
 };
 
 /// Each throat carries (p_i - p_j) n S: the sphere k takes its sector of the facet, A_k, as pressure force and its
-/// share gamma_k / gamma of the fluid area S_f as viscous force. A slip wall takes no share of S_f. The sum over
-/// spheres and faces is zero to round-off, because the facets of a pore close.
-FluidForces fluid_forces(const PoreNetwork& network, const std::vector<double>& pressure,
-                         const std::optional<Buoyancy>& buoyancy);
+/// share gamma_k / gamma of the fluid area S_f as viscous force. A no-slip wall takes its share of S_f, any other none.
+/// The sum over spheres and faces is zero to round-off, because the facets of a pore close; in a periodic box it is the
+/// mean gradient times the volume.
+FluidForces fluid_forces(const PoreNetwork& network, const FlowSystem& system, const std::vector<double>& pressure,
+                         const WallRule& walls, const std::optional<Buoyancy>& buoyancy);
+
+/// The same in place: nothing is allocated when there are as many spheres as before.
+void update(FluidForces& forces, const PoreNetwork& network, const FlowSystem& system,
+            const std::vector<double>& pressure, const WallRule& walls, const std::optional<Buoyancy>& buoyancy);
 
 } // namespace pfv

@@ -7,15 +7,21 @@
 
 namespace pfv {
 
-/// Flux through a throat (m^3/s), from the pore behind to the one ahead.
-inline double throat_flux(const PoreNetwork& network, const FlowSystem& system, const std::vector<double>& pressure,
-                          std::size_t throat) {
+/// Pressure drop along a throat (Pa), from the pore behind to the one ahead as it is met there.
+inline double pressure_drop(const PoreNetwork& network, const FlowSystem& system, const std::vector<double>& pressure,
+                            std::size_t throat) {
   const auto [i, j] = network.throats.pores[throat];
   double rise = 0;
   if (!network.throats.shift.empty())
     for (int axis = 0; axis < 3; ++axis)
       rise += system.rise[axis] * network.throats.shift[throat][axis];
-  return system.conductance[throat] * (pressure[i] - pressure[j] - rise);
+  return pressure[i] - pressure[j] - rise;
+}
+
+/// Flux through a throat (m^3/s), from the pore behind to the one ahead.
+inline double throat_flux(const PoreNetwork& network, const FlowSystem& system, const std::vector<double>& pressure,
+                          std::size_t throat) {
+  return system.conductance[throat] * pressure_drop(network, system, pressure, throat);
 }
 
 /// What leaves the box (m^3/s).

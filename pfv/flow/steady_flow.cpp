@@ -2,6 +2,7 @@
 
 #include "pfv/flow/flux_faces.hpp"
 #include "pfv/flow/fluxes.hpp"
+#include "pfv/huge_pages.hpp"
 #include "pfv/problem/error.hpp"
 #include "pfv/problem/validate.hpp"
 
@@ -37,10 +38,11 @@ std::optional<double> permeability(const Case& problem, const SteadyFlow& flow) 
   return problem.fluid.viscosity * flow.face_flux[lower] * setup->length / (setup->area * drop);
 }
 
-void add_fluxes(SteadyFlow& flow) {
+void set_fluxes(SteadyFlow& flow) {
   const Outflow out = outflow(flow.network, flow.system, flow.pressure);
   flow.face_flux = out.face;
   flow.point_flux = out.point;
+  flow.flux_in = flow.flux_out = 0;
   const auto add = [&](double flux) { (flux > 0 ? flow.flux_out : flow.flux_in) += std::abs(flux); };
   std::ranges::for_each(out.face, add);
   std::ranges::for_each(out.point, add);
@@ -58,39 +60,72 @@ double SteadyFlow::imbalance() const {
   return larger > 0 ? std::abs(flux_in - flux_out) / larger : 0;
 }
 
-SteadyFlow solve_steady_flow(const Case& problem, const FlowOptions& options, Clock& clock) {
+FollowedFlow::FollowedFlow(const Case& problem, const FlowOptions& options, Clock& clock)
+    : question_(problem), options_(options), solver_(make_solver(options.solver)) {
   validate_level(problem.faces, problem.pressure_points);
-  SteadyFlow flow;
-  flow.network = build_pore_network(problem.packing, periodic_axes(problem.faces), clock);
+  constexpr std::size_t bytes_per_sphere = 2400; // of the heap at its fullest
+  prefer_huge_pages(bytes_per_sphere * problem.packing.spheres.size());
+  question_.packing.spheres.clear();
+  question_.packing.spheres.shrink_to_fit();
+  flow_.network = build_pore_network(problem.packing, periodic_axes(problem.faces), clock);
   Conductances throats;
   {
     const auto timing = clock.stage("conductances");
-    throats = conductances(flow.network, options.conductance, options.walls, problem.fluid.viscosity);
+    throats = conductances(flow_.network, options_.conductance, options_.walls, question_.fluid.viscosity);
   }
   {
     const auto timing = clock.stage("assemble");
-    flow.system = assemble(flow.network, std::move(throats), problem.faces, problem.pressure_points);
+    flow_.system = assemble(flow_.network, std::move(throats), question_.faces, question_.pressure_points);
   }
-  const auto solver = make_solver(options.solver);
+  factor(clock);
+  solve(clock);
+}
+
+FollowedFlow::~FollowedFlow() = default;
+
+void FollowedFlow::follow(const Packing& packing, Clock& clock) {
+  question_.packing.box = packing.box;
+  pfv::follow(flow_.network, packing, clock);
   {
-    const auto timing = clock.stage("factor");
-    solver->analyse(flow.system.matrix);
-    solver->factor(flow.system.matrix);
+    const auto timing = clock.stage("conductances");
+    update(throats_, flow_.network, options_.conductance, options_.walls, question_.fluid.viscosity);
   }
+  bool same_pattern;
+  {
+    const auto timing = clock.stage("assemble");
+    same_pattern = refresh(flow_.system, flow_.network, throats_);
+    if (!same_pattern)
+      flow_.system = assemble(flow_.network, throats_, question_.faces, question_.pressure_points);
+  }
+  if (same_pattern)
+    solver_->update(flow_.system.matrix);
+  else
+    factor(clock);
+  solve(clock);
+}
+
+void FollowedFlow::factor(Clock& clock) {
+  const auto timing = clock.stage("factor");
+  solver_->analyse(flow_.system.matrix);
+  solver_->factor(flow_.system.matrix);
+}
+
+void FollowedFlow::solve(Clock& clock) {
   {
     const auto timing = clock.stage("solve");
-    Eigen::VectorXd solution;
-    solve_with_flux_faces(flow.network, flow.system, *solver, solution);
-    flow.pressure = pore_pressures(flow.system, solution);
-    flow.solver = solver->report();
-    add_fluxes(flow);
+    solve_with_flux_faces(flow_.network, flow_.system, *solver_, solution_);
+    set_pore_pressures(flow_.system, solution_, flow_.pressure);
+    flow_.solver = solver_->report();
+    set_fluxes(flow_);
   }
-  flow.permeability = permeability(problem, flow);
-  {
-    const auto timing = clock.stage("forces");
-    flow.forces = fluid_forces(flow.network, flow.pressure, problem.buoyancy);
-  }
-  return flow;
+  flow_.permeability = permeability(question_, flow_);
+  const auto timing = clock.stage("forces");
+  update(flow_.forces, flow_.network, flow_.system, flow_.pressure, options_.walls, question_.buoyancy);
+}
+
+SteadyFlow solve_steady_flow(const Case& problem, const FlowOptions& options, Clock& clock) {
+  FollowedFlow flow(problem, options, clock);
+  return std::move(flow.flow_);
 }
 
 } // namespace pfv

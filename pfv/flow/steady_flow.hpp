@@ -9,6 +9,7 @@
 #include "pfv/pores/pore_network.hpp"
 #include "pfv/problem/case.hpp"
 
+#include <memory>
 #include <optional>
 
 namespace pfv {
@@ -32,8 +33,38 @@ struct SteadyFlow {
 };
 
 /// Steady flow through a fixed packing and its forces: stages `triangulate`, `geometry`, `conductances`, `assemble`,
-/// `factor`, `solve`, `forces`. The case must be valid. Throws InputError when the pressure
-/// has no level, and SolveError.
+/// `factor`, `solve`, `forces`. The case must be valid. Throws InputError when the pressure has no level, and
+/// SolveError.
 SteadyFlow solve_steady_flow(const Case& problem, const FlowOptions& options, Clock& clock);
+
+/// Steady flow through a packing whose spheres move: the first flow as solve_steady_flow gives it, the following ones
+/// on the same pores and throats, with all that is measured on them anew, in place, and from the last pressures.
+class FollowedFlow {
+public:
+  FollowedFlow(const Case& problem, const FlowOptions& options, Clock& clock);
+  ~FollowedFlow();
+  FollowedFlow(const FollowedFlow&) = delete;
+  FollowedFlow& operator=(const FollowedFlow&) = delete;
+
+  /// The flow where the spheres are now: stages `geometry`, `conductances`, `assemble`, `factor` (only when throats
+  /// open, close or contract), `solve`, `forces`. Right as long as `network.inverted_throats` stays zero; then the
+  /// packing must be triangulated anew. The packing must have as many spheres as before. Throws SolveError.
+  void follow(const Packing& packing, Clock& clock);
+
+  const SteadyFlow& flow() const { return flow_; }
+
+private:
+  friend SteadyFlow solve_steady_flow(const Case& problem, const FlowOptions& options, Clock& clock);
+
+  void factor(Clock& clock);
+  void solve(Clock& clock);
+
+  Case question_; // without its spheres
+  FlowOptions options_;
+  SteadyFlow flow_;
+  Conductances throats_; // room for the next ones
+  std::unique_ptr<FlowSolver> solver_;
+  Eigen::VectorXd solution_;
+};
 
 } // namespace pfv
