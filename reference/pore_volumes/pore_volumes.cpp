@@ -4,6 +4,7 @@
 #include "pfv/problem/error.hpp"
 #include "pfv/problem/validate.hpp"
 #include "reference/cut_spheres.hpp"
+#include "reference/pore_volumes/repeated_step.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +43,8 @@ public:
   Answer solve(const pfv::Case& problem, const Resolution&, pfv::Clock& clock) const override {
     pfv::FlowOptions options;
     options.solver = solver_;
-    const pfv::SteadyFlow flow = pfv::solve_steady_flow(problem, options, clock);
+    pfv::FollowedFlow followed(problem, options, clock);
+    const pfv::SteadyFlow& flow = followed.flow();
     Answer answer;
     answer.method = name_;
     answer.unknowns = flow.system.unknowns();
@@ -64,6 +66,8 @@ public:
         {"solver", flow.solver.name}, {"conductance", "hydraulic radius, alpha = 1/2"}, {"walls", "mirror"}};
     if (flow.system.held_pores > 0)
       answer.counts["held_pores"] = static_cast<double>(flow.system.held_pores);
+    for (const auto& [stage, cpu_seconds] : repeated_step(followed, problem.packing))
+      answer.stages.push_back({repeat_prefix + stage, cpu_seconds});
     return answer;
   }
 
