@@ -12,6 +12,14 @@
 
 namespace reference {
 
+/// How the names of stages begin that time one more step of a moving packing (topology kept, everything else renewed or
+/// kept as the method does it) instead of the answer itself. They are beside the cost of the answer, not part of it.
+inline const std::string repeat_prefix = "repeat: ";
+
+/// The count that says what the method needed at its largest, in bytes, apart from the libraries and the input. A
+/// method that knows better than its caller can measure gives it itself.
+inline constexpr const char* memory_count = "memory_bytes";
+
 /// What a method says about a Case: the common currency of all comparisons. A quantity a method does not compute is
 /// absent, never zero. SI units.
 struct Answer {
@@ -26,7 +34,8 @@ struct Answer {
   /// the area of the box; one centred on a slip wall is half of a mirrored pair, with no force normal to the wall.
   std::optional<std::vector<pfv::Vec3>> sphere_forces;
   std::optional<std::array<pfv::Vec3, 6>> wall_forces; // N, by pfv::Face, of the fluid on the face
-  std::vector<pfv::Stage> stages;       // CPU seconds by stage, once-per-mesh stages marked by name "mesh"
+  std::vector<pfv::Stage>
+      stages; // CPU seconds by stage, once-per-mesh stages marked by name "mesh", see also repeat_prefix
   std::map<std::string, double> counts; // remedies and checks: contracted_throats, bridges, iterations, flux_imbalance
   std::map<std::string, std::string> notes; // versions, settings, anything a reader needs to judge the number
 };

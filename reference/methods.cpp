@@ -5,6 +5,7 @@
 #include "reference/openfoam/openfoam.hpp"
 #include "reference/pore_volumes/pore_volumes.hpp"
 #include "reference/stokes_fem/stokes_fem.hpp"
+#include "reference/yade/yade.hpp"
 
 #include <algorithm>
 
@@ -16,6 +17,7 @@ std::vector<std::unique_ptr<Method>> make_methods() {
   std::vector<std::unique_ptr<Method>> list;
   list.push_back(make_pore_volumes());
   list.push_back(make_pore_volumes_sor());
+  list.push_back(make_yade());
   list.push_back(make_stokes_fem());
   list.push_back(make_openfoam());
   list.push_back(make_closed_form());

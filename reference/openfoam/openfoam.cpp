@@ -9,7 +9,7 @@
 #include "reference/openfoam/flow_fields.hpp"
 #include "reference/openfoam/fluid_forces.hpp"
 #include "reference/openfoam/programs.hpp"
-#include "reference/openfoam/temporary_folder.hpp"
+#include "reference/temporary_folder.hpp"
 #include "reference/walls_and_pressures.hpp"
 
 #include <algorithm>
@@ -113,7 +113,7 @@ Answer OpenFoam::solve(const pfv::Case& problem, const Resolution& resolution, p
   const auto void_mesh = meshing::void_mesh(problem, settings, meshing::default_mesh_cache());
   clock.add("mesh", void_mesh.cpu_seconds);
 
-  const TemporaryFolder folder;
+  const TemporaryFolder folder("openfoam");
   const auto faces = open_faces(problem.faces);
   write_dictionaries(folder.path(), faces);
   const FoamMesh mesh = convert(folder.path(), void_mesh, problem, clock);

@@ -1,7 +1,8 @@
 #include "reference/openfoam/programs.hpp"
 
 #include "pfv/problem/error.hpp"
-#include "reference/openfoam/temporary_folder.hpp"
+#include "reference/on_path.hpp"
+#include "reference/temporary_folder.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +11,6 @@
 #include <fstream>
 #include <iterator>
 #include <regex>
-#include <sstream>
-#include <unistd.h>
 
 namespace reference::openfoam {
 
@@ -22,15 +21,6 @@ constexpr std::array programs{"gmshToFoam", "renumberMesh", "simpleFoam"};
 std::filesystem::path project_folder() {
   const char* chosen = std::getenv("WM_PROJECT_DIR");
   return chosen && *chosen ? chosen : "/usr/share/openfoam";
-}
-
-bool on_path(const std::string& program) {
-  const char* path = std::getenv("PATH");
-  std::istringstream folders(path ? path : "");
-  for (std::string folder; std::getline(folders, folder, ':');)
-    if (access((std::filesystem::path(folder) / program).c_str(), X_OK) == 0)
-      return true;
-  return false;
 }
 
 meshing::ChildOptions options_in(const std::filesystem::path& folder, const std::string& program) {
@@ -57,7 +47,7 @@ std::string last_words(const std::filesystem::path& log) {
 std::string ask_version() {
   if (missing_programs())
     return {};
-  const TemporaryFolder folder;
+  const TemporaryFolder folder("openfoam");
   const auto options = options_in(folder.path(), "simpleFoam");
   meshing::run_child({"simpleFoam", "-help"}, options);
   std::ifstream in(options.log);

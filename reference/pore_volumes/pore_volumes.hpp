@@ -5,7 +5,8 @@
 namespace reference {
 
 /// The pore-scale finite-volume model itself, as one method among the others: one pore per tetrahedron of the regular
-/// triangulation, one conductance per facet, one sparse solve by Cholesky factorisation.
+/// triangulation, one conductance per facet, one sparse solve by Cholesky factorisation or
+/// multigrid, whichever is faster for the size.
 std::unique_ptr<Method> make_pore_volumes();
 
 /// The same system solved by the over-relaxed Gauss-Seidel of Catalano et al. 2011: the historical row.

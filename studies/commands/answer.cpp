@@ -29,7 +29,7 @@ int answer(const AnswerOptions& options) {
     pfv::Clock clock;
     const MemoryMeter memory;
     reference::Answer answer = method.solve(problem, {options.mesh_size}, clock);
-    answer.counts[memory_count] = static_cast<double>(memory.bytes());
+    answer.counts.try_emplace(reference::memory_count, static_cast<double>(memory.bytes()));
     write_file(options.out, reference::to_json(answer));
     return exit_answered;
   } catch (const pfv::SolveError& error) {

@@ -3,6 +3,7 @@
 #include "studies/runner/files.hpp"
 #include "studies/runner/report.hpp"
 #include "studies/runner/result_table.hpp"
+#include "studies/runner/scaling.hpp"
 #include "studies/runner/terminal.hpp"
 
 #include <fmt/color.h>
@@ -30,6 +31,8 @@ void conclude(const Study& study, const Scope& scope, const std::vector<Row>& ro
   fmt::print("\n");
   fmt::print(bold_if(terminal().colours), "{}", study.title);
   fmt::print("\n\n{}", to_plain(result_table(study, list)));
+  for (const auto& [name, table] : scaling_tables(study, list))
+    fmt::print("\n{}\n\n{}", name, to_plain(table));
   for (const Result& result : list)
     if (result.finding.told().status == Status::failed)
       fmt::print("\nfailed: {} {}: {}\n", result.finding.case_id, result.finding.method, result.finding.told().message);

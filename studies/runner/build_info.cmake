@@ -1,7 +1,7 @@
 # Run at build time: fills in build_info.cpp.in, which changes only when what it says has changed.
 # -D SOURCE= project folder, OUTPUT= file to write, COMPILER=, FLAGS=
 file(GLOB_RECURSE sources LIST_DIRECTORIES false ${SOURCE}/pfv/* ${SOURCE}/meshing/* ${SOURCE}/reference/*)
-list(FILTER sources INCLUDE REGEX "\\.(cpp|hpp|c|h|in|csv|txt)$")
+list(FILTER sources INCLUDE REGEX "\\.(cpp|hpp|c|h|in|csv|py|txt)$")
 list(SORT sources)
 set(digests "${COMPILER} ${FLAGS}")
 foreach(source IN LISTS sources)

@@ -1,11 +1,34 @@
 #include "studies/runner/case_store.hpp"
 
 #include "pfv/problem/error.hpp"
+#include "pfv/problem/toml_input.hpp"
 #include "studies/runner/files.hpp"
 
 #include <fmt/format.h>
 
+#include <sstream>
+
 namespace studies {
+
+namespace {
+
+// The question with its packing in a file of numbers beside it: a million spheres in TOML take a gigabyte to read.
+void write_out(const pfv::Packing& packing, const std::filesystem::path& asked, const std::filesystem::path& full,
+               const std::string& name) {
+  auto spheres = full;
+  spheres.replace_extension(".txt");
+  std::ostringstream numbers;
+  pfv::write_packing(packing, numbers);
+  write_file(spheres, numbers.str());
+  toml::table question = pfv::read_toml(asked);
+  question.insert_or_assign("name", name);
+  question.insert_or_assign("packing", toml::table{{"file", spheres.filename().string()}});
+  std::ostringstream text;
+  text << question << '\n';
+  write_file(full, text.str());
+}
+
+} // namespace
 
 StoredCase store_case(const StudyCase& one, const std::filesystem::path& folder, const std::string& generation) {
   const std::string question = text_digest(one.toml + generation).substr(0, 12);
@@ -16,9 +39,7 @@ StoredCase store_case(const StudyCase& one, const std::filesystem::path& folder,
     if (!generated || !std::filesystem::exists(full)) {
       const auto asked = folder / fmt::format("{}-{}.question.toml", one.id, question);
       write_file(asked, one.toml);
-      pfv::Case problem = pfv::read_case(asked);
-      problem.name = one.id;
-      write_file(full, pfv::to_toml(problem));
+      write_out(pfv::read_case(asked).packing, asked, full, one.id);
     }
     StoredCase stored{pfv::read_case(full), {}, full};
     stored.digest = pfv::digest(stored.problem);

@@ -3,6 +3,7 @@
 #include "studies/runner/number_text.hpp"
 #include "studies/runner/provenance.hpp"
 #include "studies/runner/result_table.hpp"
+#include "studies/runner/scaling.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -74,6 +75,20 @@ std::string how_to_read(const Study& study) {
   return text;
 }
 
+std::string scaling_section(const Study& study, std::span<const Result> list) {
+  const std::vector<TitledTable> tables = scaling_tables(study, list);
+  if (tables.empty())
+    return "";
+  std::string text =
+      "\n## How cost grows\n\n"
+      "*All* is the whole first iteration, from the spheres to the forces on them; a *repeated step* is one "
+      "more of a moving packing that keeps its triangulation. An exponent is the slope between two sizes in "
+      "logarithms.\n";
+  for (const auto& [title, table] : tables)
+    text += fmt::format("\n### {}\n\n{}", title, to_markdown(table));
+  return text;
+}
+
 } // namespace
 
 std::string report(const Study& study, const Scope& scope, std::span<const Row> rows,
@@ -83,6 +98,7 @@ std::string report(const Study& study, const Scope& scope, std::span<const Row> 
   if (rows.empty())
     return text + "\nNothing has been run yet.\n";
   text += fmt::format("\n## Results\n\n{}\n{}", to_markdown(result_table(study, list)), how_to_read(study));
+  text += scaling_section(study, list);
   text += fmt::format("\n## What the comparisons say\n\n{}", outcome_sentences(study, list));
   text += fmt::format("\n## Runs\n\n{}", to_markdown(run_table(rows)));
   text += fmt::format("\n## Where the numbers come from\n\n{}", to_markdown(provenance(rows)));

@@ -80,7 +80,7 @@ Row answered(const Attempt& attempt, int repeats) {
   row.porosity = attempt.answer.porosity;
   row.unknowns = attempt.answer.unknowns;
   row.stages = attempt.answer.stages;
-  if (const auto memory = attempt.answer.counts.find(memory_count); memory != attempt.answer.counts.end())
+  if (const auto memory = attempt.answer.counts.find(reference::memory_count); memory != attempt.answer.counts.end())
     row.memory_bytes = static_cast<std::size_t>(memory->second);
   row.repeats = repeats;
   add_cost(attempt, row);

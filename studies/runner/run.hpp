@@ -11,9 +11,6 @@ namespace studies {
 /// Exit codes of `study answer`, how a run's process tells its parent what became of it.
 enum AnswerExit { exit_answered = 0, exit_input = 2, exit_solve_error = 3 };
 
-/// The count in which `study answer` notes what its MemoryMeter says.
-inline constexpr const char* memory_count = "memory_bytes";
-
 /// One question to one method, to be answered by a process of its own.
 struct RunOrder {
   std::filesystem::path study_executable;

@@ -85,6 +85,15 @@ Tolerance read_tolerance(const toml::table& table) {
   return tolerance;
 }
 
+Scaling read_scaling(const toml::table& table, const std::vector<std::string>& methods) {
+  pfv::allow_keys(table, "[scaling]", {"compared_with", "unit_stage"});
+  Scaling scaling;
+  if_present(table, "compared_with",
+             [&](auto& node) { scaling.compared_with = as_one_of(node, "compared_with", methods); });
+  if_present(table, "unit_stage", [&](auto& node) { scaling.unit_stage = pfv::as_text(node, "unit_stage"); });
+  return scaling;
+}
+
 StudyMethod read_method(const toml::node& node) {
   const toml::table& table = pfv::as_table(node, "method");
   pfv::allow_keys(table, "[[method]]", {"name", "mesh_sizes", "quick_mesh_sizes"});
@@ -168,8 +177,9 @@ void refuse_twice(const toml::node& node, const List& list, std::string List::va
 
 Study read_study(const std::filesystem::path& file) {
   const toml::table root = pfv::read_toml(file);
-  pfv::allow_keys(root, "a study",
-                  {"title", "question", "reference", "published_source", "tolerance", "budget", "method", "case"});
+  pfv::allow_keys(
+      root, "a study",
+      {"title", "question", "reference", "published_source", "tolerance", "budget", "scaling", "method", "case"});
   Study study;
   study.name = std::filesystem::absolute(file).parent_path().filename().string();
   study.title = pfv::as_text(pfv::required(root, "the study", "title"), "title");
@@ -188,6 +198,8 @@ Study read_study(const std::filesystem::path& file) {
   }
   refuse_twice(methods, study.methods, &StudyMethod::name, "method");
   study.reference = as_one_of(pfv::required(root, "the study", "reference"), "reference", names);
+
+  if_present(root, "scaling", [&](auto& node) { study.scaling = read_scaling(pfv::as_table(node, "scaling"), names); });
 
   const toml::node& cases = pfv::required(root, "the study", "case");
   for (const toml::node& node : as_list(cases, "case"))

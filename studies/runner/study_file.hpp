@@ -43,6 +43,14 @@ struct StudyMethod {
   std::vector<double> quick_mesh_sizes; // coarse to fine
 };
 
+/// Asks for tables of how cost grows with the number of spheres.
+struct Scaling {
+  std::string compared_with; // method whose cost is divided by that of each other; empty: none
+  std::string unit_stage;    // stage by whose CPU seconds the whole is divided; empty: none
+
+  bool operator==(const Scaling&) const = default;
+};
+
 /// One question, asked of several methods on several cases.
 struct Study {
   std::string name; // of its folder
@@ -52,6 +60,7 @@ struct Study {
   std::string published_source; // of the published figures; empty without any
   Tolerance tolerance;
   Budget budget;
+  std::optional<Scaling> scaling;
   std::vector<StudyMethod> methods; // in the order of the tables
   std::vector<StudyCase> cases;
 };

@@ -34,6 +34,12 @@ TEST(Cost, EveryStageIsCountedOnce) {
   EXPECT_EQ(split.total(), 63);
 }
 
+TEST(Cost, ARepeatedStepIsBesideTheTotal) {
+  const studies::Cost split = studies::cost({{"solve", 1}, {"repeat: geometry", 2}, {"repeat: solve", 4}});
+  EXPECT_EQ(split, (studies::Cost{0, 0, 1, 6}));
+  EXPECT_EQ(split.total(), 1);
+}
+
 TEST(ProgressBar, FillsUpAndStaysFull) {
   const std::string half = studies::progress_bar(5, 10, 80);
   EXPECT_EQ(std::ranges::count(half, '#'), std::ranges::count(half, '.'));

@@ -63,18 +63,31 @@ TEST(StudyFile, ReadsTolerancesBudgetAndPublishedFigures) {
   EXPECT_EQ(study.cases[0].published[0], (studies::PublishedFigure{"exact", 45, std::nullopt}));
 }
 
+TEST(StudyFile, ReadsWhatScalingAsksFor) {
+  const TemporaryFolder folder;
+  const auto with = [&](const std::string& section) {
+    return read_study(folder.write("study.toml", replaced(study_text, "[[method]]", section + "\n[[method]]"))).scaling;
+  };
+  EXPECT_FALSE(with(""));
+  EXPECT_EQ(*with("[scaling]"), studies::Scaling{});
+  EXPECT_EQ(*with("[scaling]\ncompared_with = \"exact\"\nunit_stage = \"solve\""),
+            (studies::Scaling{"exact", "solve"}));
+}
+
 TEST(StudyFile, RefusesUnknownKeysNamingTheValidOnes) {
   expect_refused("title =", "titel = 1\ntitle =", {"study.toml:2", "titel", "title", "question"});
   expect_refused("mesh_sizes = [2", "mesh_size = 1\nmesh_sizes = [2", {"mesh_size", "quick_mesh_sizes"});
   expect_refused("quick = true", "quik = true", {"quik", "quick", "packing"});
   expect_refused("[[method]]", "[budget]\nseconds = 1\n[[method]]", {"seconds", "cpu_seconds", "memory_bytes"});
   expect_refused("[[method]]", "[tolerance]\nforce = 1\n[[method]]", {"force", "permeability, forces"});
+  expect_refused("[[method]]", "[scaling]\nunit = 1\n[[method]]", {"unit", "compared_with", "unit_stage"});
   expect_refused("quick = true", "published = [{ dofs = 1 }]", {"dofs", "unknowns"});
 }
 
 TEST(StudyFile, RefusesUnknownNamesNamingTheValidOnes) {
   expect_refused("name = \"exact\"", "name = \"exakt\"", {"exakt", "absent", "exact"});
   expect_refused("reference = \"exact\"", "reference = \"other\"", {"reference", "other", "exact"});
+  expect_refused("[[method]]", "[scaling]\ncompared_with = \"other\"\n[[method]]", {"compared_with", "other", "exact"});
   expect_refused("quick = true", "quick = [\"other\"]", {"quick", "other", "exact"});
   expect_refused("quick = true", "methods = [\"other\"]", {"methods", "other", "exact"});
 }
@@ -114,6 +127,19 @@ TEST(StudyFile, PackingFilesAreRelativeToTheStudy) {
   const auto stored = studies::store_case(study.cases[0], folder.path() / "cases", "");
   EXPECT_EQ(stored.problem.packing.spheres.size(), 1U);
   EXPECT_EQ(pfv::digest(pfv::read_case(stored.file)), stored.digest);
+}
+
+TEST(StudyFile, StoresAQuestionAsItWasWithItsSpheresInAFileBeside) {
+  const TemporaryFolder folder;
+  const auto text =
+      replaced(study_text, "flow = { axis = \"z\" }", "flow = { axis = \"z\" }\nfluid = { viscosity = 0.1 }");
+  const auto study = read_study(folder.write("study.toml", text));
+  const auto stored = studies::store_case(study.cases[0], folder.path() / "cases", "");
+  EXPECT_EQ(stored.problem.name, "one");
+  EXPECT_EQ(stored.problem.fluid.viscosity, 0.1);
+  EXPECT_EQ(stored.problem.packing.spheres.at(1).radius, 0.1);
+  auto spheres = stored.file;
+  EXPECT_EQ(pfv::read_packing(spheres.replace_extension(".txt")), stored.problem.packing);
 }
 
 } // namespace

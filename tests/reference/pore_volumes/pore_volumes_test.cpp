@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace reference;
 using pfv::testing::flow_through;
 using pfv::testing::packing_from;
@@ -26,7 +28,10 @@ TEST(PoreVolumes, AnswersWhatTheModelSays) {
   ASSERT_EQ(answer.sphere_forces->size(), 200u);
   EXPECT_EQ((*answer.sphere_forces)[7], flow.forces.of_flow(7));
   EXPECT_EQ(answer.counts.at("pores"), 1101);
-  EXPECT_EQ(answer.stages.size(), 7u);
+  const auto repeated = std::ranges::count_if(
+      answer.stages, [](const pfv::Stage& stage) { return stage.name.starts_with(repeat_prefix); });
+  EXPECT_EQ(answer.stages.size() - static_cast<std::size_t>(repeated), 7u);
+  EXPECT_GE(repeated, 5); // geometry, conductances, assemble, solve, forces
 }
 
 TEST(PoreVolumes, BothSolversAgree) {

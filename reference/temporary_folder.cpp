@@ -1,14 +1,13 @@
-#include "reference/openfoam/temporary_folder.hpp"
+#include "reference/temporary_folder.hpp"
 
 #include <cerrno>
 #include <cstdlib>
-#include <string>
 #include <system_error>
 
-namespace reference::openfoam {
+namespace reference {
 
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "pfv-openfoam-XXXXXX").string();
+TemporaryFolder::TemporaryFolder(const std::string& user) {
+  std::string name = (std::filesystem::temp_directory_path() / ("pfv-" + user + "-XXXXXX")).string();
   if (!mkdtemp(name.data()))
     throw std::system_error(errno, std::generic_category(), "cannot make a folder like " + name);
   path_ = name;
@@ -19,4 +18,4 @@ TemporaryFolder::~TemporaryFolder() {
   std::filesystem::remove_all(path_, ignored);
 }
 
-} // namespace reference::openfoam
+} // namespace reference

@@ -1,14 +1,15 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
-namespace reference::openfoam {
+namespace reference {
 
-/// A new folder under the system's temporary one, gone with its contents when this goes.
+/// A new folder "pfv-<user>-..." under the system's temporary one, gone with its contents when this goes.
 class TemporaryFolder {
 public:
   /// Throws std::system_error when it cannot be made.
-  TemporaryFolder();
+  explicit TemporaryFolder(const std::string& user);
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
@@ -18,4 +19,4 @@ private:
   std::filesystem::path path_;
 };
 
-} // namespace reference::openfoam
+} // namespace reference
