@@ -4,6 +4,7 @@
 #include "pfv/problem/error.hpp"
 #include "pfv/problem/validate.hpp"
 #include "reference/cut_spheres.hpp"
+#include "reference/memory_meter.hpp"
 #include "reference/pore_volumes/repeated_step.hpp"
 
 #include <algorithm>
@@ -43,6 +44,7 @@ public:
   Answer solve(const pfv::Case& problem, const Resolution&, pfv::Clock& clock) const override {
     pfv::FlowOptions options;
     options.solver = solver_;
+    const MemoryMeter memory;
     pfv::FollowedFlow followed(problem, options, clock);
     const pfv::SteadyFlow& flow = followed.flow();
     Answer answer;
@@ -66,6 +68,8 @@ public:
         {"solver", flow.solver.name}, {"conductance", "hydraulic radius, alpha = 1/2"}, {"walls", "mirror"}};
     if (flow.system.held_pores > 0)
       answer.counts["held_pores"] = static_cast<double>(flow.system.held_pores);
+    // Before the repeated step, whose room the answer does not need.
+    answer.counts[memory_count] = static_cast<double>(memory.bytes());
     for (const auto& [stage, cpu_seconds] : repeated_step(followed, problem.packing))
       answer.stages.push_back({repeat_prefix + stage, cpu_seconds});
     return answer;

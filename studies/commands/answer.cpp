@@ -1,9 +1,9 @@
 #include "studies/commands/commands.hpp"
 
 #include "pfv/problem/error.hpp"
+#include "reference/memory_meter.hpp"
 #include "reference/method.hpp"
 #include "studies/runner/files.hpp"
-#include "studies/runner/memory_meter.hpp"
 #include "studies/runner/run.hpp"
 
 #include <CLI/CLI.hpp>
@@ -27,7 +27,7 @@ int answer(const AnswerOptions& options) {
   const pfv::Case problem = pfv::read_case(options.case_file);
   try {
     pfv::Clock clock;
-    const MemoryMeter memory;
+    const reference::MemoryMeter memory;
     reference::Answer answer = method.solve(problem, {options.mesh_size}, clock);
     answer.counts.try_emplace(reference::memory_count, static_cast<double>(memory.bytes()));
     write_file(options.out, reference::to_json(answer));

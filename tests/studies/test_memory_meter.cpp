@@ -1,4 +1,4 @@
-#include "studies/runner/memory_meter.hpp"
+#include "reference/memory_meter.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ constexpr std::size_t megabyte = 1'000'000;
 
 TEST(MemoryMeter, SeesWhatWasHeldForAMomentAndNotWhatWasThereBefore) {
   const std::vector<char> before(200 * megabyte, 'x');
-  const studies::MemoryMeter meter;
+  const reference::MemoryMeter meter;
   const std::size_t nothing = meter.bytes();
   { const std::vector<char> held(100 * megabyte, 'x'); }
   // The allocator rounds and the kernel counts pages in batches: a tenth is close enough to tell a method's size.

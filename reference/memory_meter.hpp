@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace studies {
+namespace reference {
 
 /// What the code between construction and `bytes` needs at its largest, apart from the libraries and the input that are
 /// in memory already: those would hide a small method behind the largest one of the build.
@@ -16,4 +16,4 @@ private:
   std::size_t before_;
 };
 
-} // namespace studies
+} // namespace reference

@@ -1,4 +1,4 @@
-#include "studies/runner/memory_meter.hpp"
+#include "reference/memory_meter.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -7,7 +7,7 @@
 #include <string_view>
 #include <sys/resource.h>
 
-namespace studies {
+namespace reference {
 
 namespace {
 
@@ -36,4 +36,4 @@ std::size_t MemoryMeter::bytes() const {
   return std::max(peak - std::min(peak, before_), static_cast<std::size_t>(children.ru_maxrss) * 1024);
 }
 
-} // namespace studies
+} // namespace reference
