@@ -13,10 +13,10 @@ namespace {
 ///        964     8 + 0.3      0.5 + 0.5
 ///      11266   132 + 3          5 + 7
 ///     120626  2230 + 49        87 + 90
-/// So a factor pays from some 40 solves, as long as it fits the memory (14 MB per 10^4 unknowns, and growing). Below a
-/// thousand unknowns nothing takes time, and the factor gives the last digit.
+/// So a factor pays from some 40 solves, as long as it fits the memory (14 MB per 10^4 unknowns, and growing). Below
+/// some hundred unknowns nothing takes time, and the factor gives the last digit.
 SolverChoice best_choice(std::size_t unknowns, int solves_per_matrix) {
-  constexpr std::size_t few_unknowns = 1000, most_for_a_factor = 300000;
+  constexpr std::size_t few_unknowns = 300, most_for_a_factor = 300000;
   constexpr int many_solves = 40;
   const bool reused = solves_per_matrix >= many_solves && unknowns <= most_for_a_factor;
   if (unknowns <= few_unknowns || reused)

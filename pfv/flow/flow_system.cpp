@@ -149,12 +149,18 @@ bool impose_again(FlowSystem& system, const PoreNetwork& network) {
 } // namespace
 
 bool refresh(FlowSystem& system, const PoreNetwork& network, const Conductances& conductances) {
+  const double wide_open = FlowSystem::wide_open * conductances.median;
+  const double most = FlowSystem::contraction * conductances.median;
   for (std::size_t t = 0; t < conductances.values.size(); ++t) {
     const double k = conductances.values[t];
-    const bool contracted = k > FlowSystem::contraction * conductances.median;
-    if (contracted != system.contracted[t] || (!contracted && (k > 0) != (system.conductance[t] > 0)))
+    if (system.contracted[t]) {
+      if (k < wide_open)
+        return false;
+      continue;
+    }
+    if ((k > 0) != (system.conductance[t] > 0))
       return false;
-    system.conductance[t] = contracted ? 0 : k;
+    system.conductance[t] = std::min(k, most);
   }
   system.raised_throats = conductances.raised;
   system.rounded_throats = conductances.rounded;

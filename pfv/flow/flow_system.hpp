@@ -21,8 +21,9 @@ namespace pfv {
 /// pore of every connected part is held at zero.
 struct FlowSystem {
   static constexpr double contraction = 1e6;
-  static constexpr int known = -1;    // unknown_of_pore: the pressure is imposed, or held
-  static constexpr int isolated = -2; // unknown_of_pore: no way to a known pressure
+  static constexpr double wide_open = 1e3; // medians: what `refresh` asks of a contracted throat
+  static constexpr int known = -1;         // unknown_of_pore: the pressure is imposed, or held
+  static constexpr int isolated = -2;      // unknown_of_pore: no way to a known pressure
 
   std::vector<double> conductance; // m^3/(Pa s) by throat; 0 where contracted
   std::vector<bool> contracted;    // by throat
@@ -51,8 +52,10 @@ FlowSystem assemble(const PoreNetwork& network, Conductances conductances, const
                     std::span<const PressurePoint> points = {});
 
 /// New conductances, and profiles where pores are now, into the same pattern without allocation; the pressure of Flux
-/// faces is zero again. Returns false, and leaves the system to be assembled anew, when the throats that are contracted
-/// or closed are no longer the same.
+/// faces is zero again. A throat that turns around, as where four spheres change partners, conducts without bound for a
+/// moment; here it gets `wide_open` medians, along which no pressure drops either, so that the pattern can stay.
+/// Returns false, and leaves the system to be assembled anew, when a contracted throat is no longer wide open or
+/// throats open or close.
 bool refresh(FlowSystem& system, const PoreNetwork& network, const Conductances& conductances);
 
 /// Imposes another pressure (Pa) on all pores that have theirs from this face. The right side is left as it is.

@@ -9,7 +9,7 @@ namespace reference {
 
 namespace {
 
-constexpr double step = 1e-3; // of the radius
+constexpr double step = 1e-5; // of the radius: what grains move in a time step of a slow deformation
 
 // Towards the middle of the box, so that no centre leaves it.
 pfv::Packing moved(pfv::Packing packing) {

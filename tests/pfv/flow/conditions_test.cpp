@@ -67,7 +67,7 @@ TEST(PressureProfile, ThatIsConstantEqualsAPressure) {
   const auto expected = solved(flow_through(packing_from("g200.txt"))).pressure;
   ASSERT_EQ(pressure.size(), expected.size());
   for (std::size_t i = 0; i < pressure.size(); ++i)
-    EXPECT_NEAR(pressure[i], expected[i], 1e-12);
+    EXPECT_NEAR(pressure[i], expected[i], 1e-9);
 }
 
 TEST(PressureProfile, AroundTheBoxMakesNoPoreDifferFromIt) {
@@ -83,7 +83,7 @@ TEST(PressureProfile, AroundTheBoxMakesNoPoreDifferFromIt) {
     EXPECT_LE(p, 3 + 1e-9);
   }
   EXPECT_FALSE(flow.permeability);
-  EXPECT_LT(flow.imbalance(), 1e-10);
+  EXPECT_LT(flow.imbalance(), 1e-9);
 }
 
 TEST(PressureProfile, Superposes) {
@@ -127,7 +127,7 @@ TEST(PressurePoint, Holds) {
   EXPECT_LT(flow.point_flux[0], 0) << "a source";
   EXPECT_GT(flow.point_flux[1], 0) << "a sink";
   EXPECT_FALSE(flow.permeability);
-  EXPECT_LT(flow.imbalance(), 1e-10);
+  EXPECT_LT(flow.imbalance(), 1e-9);
 }
 
 TEST(PressurePoint, AtThePressureThatIsThereAnywayChangesNothing) {
@@ -136,7 +136,7 @@ TEST(PressurePoint, AtThePressureThatIsThereAnywayChangesNothing) {
   const Vec3 middle(0.5, 0.5, 0.5);
   problem.pressure_points = {{middle, plain.pressure[containing_pore(plain.network, middle).pore]}};
   const auto flow = solved(problem);
-  expect_same_pressures(flow, plain, 1e-10);
+  expect_same_pressures(flow, plain, 1e-9);
   EXPECT_NEAR(flow.point_flux[0] / flow.flux_in, 0, 1e-9);
 }
 
@@ -146,7 +146,7 @@ TEST(PressurePoint, GivesTheLevelAlone) {
   problem.pressure_points = {{Vec3(0.5, 0.5, 0.5), 4}};
   const auto flow = solved(problem);
   for (const double p : flow.pressure)
-    EXPECT_NEAR(p, 4, 1e-10);
+    EXPECT_NEAR(p, 4, 1e-9);
   EXPECT_EQ(flow.system.isolated_pores, 0u);
 }
 

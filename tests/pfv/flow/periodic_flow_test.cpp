@@ -111,7 +111,7 @@ TEST(PeriodicFlow, BalancesInEveryPore) {
   }
   ASSERT_EQ(flow.system.contracted_throats, 0u);
   for (const double b : balance)
-    EXPECT_LT(std::abs(b), 1e-10 * largest); // in the pore that is held too
+    EXPECT_LT(std::abs(b), 1e-8 * largest); // in the pore that is held too
   EXPECT_EQ(flow.system.held_pores, 1u);
 }
 

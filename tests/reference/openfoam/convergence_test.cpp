@@ -2,7 +2,7 @@
 
 #include "pfv/problem/error.hpp"
 #include "reference/openfoam/flow_fields.hpp"
-#include "reference/openfoam/temporary_folder.hpp"
+#include "reference/temporary_folder.hpp"
 #include "support/message_of.hpp"
 
 #include <gtest/gtest.h>
