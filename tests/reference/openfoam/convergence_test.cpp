@@ -23,7 +23,7 @@ protected:
     for (std::size_t i = 0; i < history.size(); ++i)
       out << 10 * (i + 1) << " \t" << history[i] << "\n";
   }
-  TemporaryFolder folder_;
+  TemporaryFolder folder_{"convergence-test"};
 };
 
 TEST_F(FinishedRun, CountsIterationsAndTheDriftOfTheFlux) {
