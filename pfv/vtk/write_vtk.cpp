@@ -43,27 +43,36 @@ void write(vtkXMLWriter* writer, vtkDataObject* data, const std::filesystem::pat
     throw InputError(fmt::format("\"{}\" cannot be written", file.string()));
 }
 
+/// A point per pore and, in a periodic box, one more for every throat that leaves it: the image where it ends.
 void write_pores(const std::filesystem::path& file, const SteadyFlow& flow) {
   const auto& pores = flow.network.pores;
   const auto& throats = flow.network.throats;
+  std::vector<double> pressure = flow.pressure, volume = pores.volume, void_volume = pores.void_volume;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   for (const Vec3& centre : pores.centre)
     points->InsertNextPoint(centre.data());
+  const auto image_ahead = [&](std::size_t t) {
+    const auto [i, j] = throats.pores[t];
+    pressure.push_back(flow.pressure[i] - pressure_drop(flow.network, flow.system, flow.pressure, t));
+    volume.push_back(pores.volume[j]);
+    void_volume.push_back(pores.void_volume[j]);
+    return points->InsertNextPoint(flow.network.centre_ahead(t).data());
+  };
   vtkNew<vtkCellArray> lines;
   std::vector<double> flux;
   for (std::size_t t = 0; t < throats.size(); ++t) {
-    const auto [i, j] = throats.pores[t];
-    const vtkIdType ends[2] = {i, j};
+    const bool leaves = !throats.shift.empty() && throats.shift[t] != Shift{};
+    const vtkIdType ends[2] = {throats.pores[t][0], leaves ? image_ahead(t) : throats.pores[t][1]};
     lines->InsertNextCell(2, ends);
     flux.push_back(throat_flux(flow.network, flow.system, flow.pressure, t));
   }
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(points);
   grid->SetCells(VTK_LINE, lines);
-  add_scalars(grid->GetPointData(), "pressure", flow.pressure);
-  add_scalars(grid->GetPointData(), "volume", pores.volume);
-  add_scalars(grid->GetPointData(), "void_volume", pores.void_volume);
+  add_scalars(grid->GetPointData(), "pressure", pressure);
+  add_scalars(grid->GetPointData(), "volume", volume);
+  add_scalars(grid->GetPointData(), "void_volume", void_volume);
   add_scalars(grid->GetCellData(), "conductance", flow.system.conductance);
   add_scalars(grid->GetCellData(), "flux", flux);
   vtkNew<vtkXMLUnstructuredGridWriter> writer;

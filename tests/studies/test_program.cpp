@@ -131,7 +131,7 @@ TEST_F(Program, WhatAMethodDoesNotCoverIsSaid) {
   EXPECT_EQ(run({"--quick"}).exit_code, 0);
   ASSERT_EQ(rows().size(), 2U);
   EXPECT_EQ(rows()[0].status, Status::not_covered);
-  EXPECT_NE(rows()[0].message.find("opposite faces"), std::string::npos);
+  EXPECT_NE(rows()[0].message.find("along one axis"), std::string::npos);
 }
 
 TEST_F(Program, WhatIsUnavailableIsSaid) {
