@@ -26,6 +26,8 @@ std::string remedies(const SteadyFlow& flow) {
   line(flow.system.rounded_throats, "throats with a lost void or wetted surface, taken for round tubes");
   line(flow.system.isolated_pores, "pores isolated: no throat leads to a known pressure");
   line(flow.system.held_pores, "pores held at zero: nothing else sets the level of the pressure");
+  line(flow.network.flat_pores, "pores flat: they share the centre of a neighbour across them");
+  line(flow.network.inverted_throats, "throats inverted: their pores are on the wrong sides, contracted");
   line(flow.network.hidden_spheres.size(), "spheres hidden by others: they feel no fluid force");
   return lines.empty() ? lines : "remedies\n" + lines;
 }
@@ -96,12 +98,17 @@ std::string json_report(const Case& problem, const FlowOptions& options, const S
   json["rounded_throats"] = flow.system.rounded_throats;
   json["isolated_pores"] = flow.system.isolated_pores;
   json["held_pores"] = flow.system.held_pores;
+  json["flat_pores"] = flow.network.flat_pores;
+  json["inverted_throats"] = flow.network.inverted_throats;
   json["hidden_spheres"] = flow.network.hidden_spheres;
   json["conductance"] = name_of(options.conductance);
   json["walls"] = name_of(options.walls);
   json["solver"] = {{"name", flow.solver.name},
                     {"iterations", flow.solver.iterations},
+                    {"matrix_entries", flow.solver.matrix_entries},
                     {"factor_entries", flow.solver.factor_entries},
+                    {"operator_complexity", flow.solver.operator_complexity},
+                    {"memory_bytes", flow.solver.memory_bytes},
                     {"residual", flow.solver.residual}};
   auto& stages = json["stages"] = nlohmann::ordered_json::object();
   for (const auto& stage : clock.stages())

@@ -59,11 +59,15 @@ public:
     answer.wall_forces = flow.forces.on_face;
     give_normal_parts_to_slip_walls(problem, *answer.sphere_forces, *answer.wall_forces);
     answer.stages = clock.stages();
-    answer.counts = {
-        {"pores", flow.network.pores.size()},           {"contracted_throats", flow.system.contracted_throats},
-        {"raised_throats", flow.system.raised_throats}, {"rounded_throats", flow.system.rounded_throats},
-        {"isolated_pores", flow.system.isolated_pores}, {"hidden_spheres", flow.network.hidden_spheres.size()},
-        {"iterations", flow.solver.iterations},         {"flux_imbalance", flow.imbalance()}};
+    answer.counts = {{"pores", flow.network.pores.size()},
+                     {"contracted_throats", flow.system.contracted_throats},
+                     {"raised_throats", flow.system.raised_throats},
+                     {"rounded_throats", flow.system.rounded_throats},
+                     {"isolated_pores", flow.system.isolated_pores},
+                     {"hidden_spheres", flow.network.hidden_spheres.size()},
+                     {"flat_pores", flow.network.flat_pores},
+                     {"iterations", flow.solver.iterations},
+                     {"flux_imbalance", flow.imbalance()}};
     answer.notes = {
         {"solver", flow.solver.name}, {"conductance", "hydraulic radius, alpha = 1/2"}, {"walls", "mirror"}};
     if (flow.system.held_pores > 0)
