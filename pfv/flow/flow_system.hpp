@@ -67,13 +67,10 @@ std::vector<double> pore_pressures(const FlowSystem& system, const Eigen::Vector
 
 /// By how many boxes the group of the pore ahead is met away from that of the pore behind.
 inline Shift crossing(const FlowSystem& system, const PoreNetwork& network, std::size_t throat) {
-  Shift shift{};
-  if (!system.offset.empty())
-    for (int axis = 0; axis < 3; ++axis)
-      shift[axis] = static_cast<std::int8_t>(network.throats.shift[throat][axis] +
-                                             system.offset[network.throats.pores[throat][0]][axis] -
-                                             system.offset[network.throats.pores[throat][1]][axis]);
-  return shift;
+  if (system.offset.empty())
+    return {};
+  const auto [i, j] = network.throats.pores[throat];
+  return network.throats.shift[throat] + system.offset[i] - system.offset[j];
 }
 
 } // namespace pfv

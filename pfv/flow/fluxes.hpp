@@ -11,10 +11,7 @@ namespace pfv {
 inline double pressure_drop(const PoreNetwork& network, const FlowSystem& system, const std::vector<double>& pressure,
                             std::size_t throat) {
   const auto [i, j] = network.throats.pores[throat];
-  double rise = 0;
-  if (!network.throats.shift.empty())
-    for (int axis = 0; axis < 3; ++axis)
-      rise += system.rise[axis] * network.throats.shift[throat][axis];
+  const double rise = network.throats.shift.empty() ? 0 : along(system.rise, network.throats.shift[throat]);
   return pressure[i] - pressure[j] - rise;
 }
 

@@ -27,9 +27,4 @@ KnownPressures known_pressures(const PoreNetwork& network, const FaceConditions&
 /// The pressure of an open face at a pore that touches it (Pa); nothing on walls and periodic faces.
 std::optional<double> pressure_at(const FaceCondition& condition, const Vec3& centre);
 
-/// Scalar product of a rise per box with a number of boxes.
-inline double along(const Vec3& rise, const Shift& shift) {
-  return rise.x() * shift[0] + rise.y() * shift[1] + rise.z() * shift[2];
-}
-
 } // namespace pfv

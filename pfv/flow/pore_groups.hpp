@@ -8,15 +8,6 @@
 
 namespace pfv {
 
-inline Shift operator+(const Shift& a, const Shift& b) {
-  return {static_cast<std::int8_t>(a[0] + b[0]), static_cast<std::int8_t>(a[1] + b[1]),
-          static_cast<std::int8_t>(a[2] + b[2])};
-}
-inline Shift operator-(const Shift& a, const Shift& b) {
-  return {static_cast<std::int8_t>(a[0] - b[0]), static_cast<std::int8_t>(a[1] - b[1]),
-          static_cast<std::int8_t>(a[2] - b[2])};
-}
-
 /// Disjoint sets of pores (union-find with path halving; Tarjan & van Leeuwen, J. ACM 31 (1984) 245). In a periodic box
 /// a set also knows by how many boxes each pore is off: pore i moved by offset(i) is beside pore find(i).
 class PoreGroups {

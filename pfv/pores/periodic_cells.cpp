@@ -123,11 +123,6 @@ struct OpenFacet {
   int cell, facet;
 };
 
-Shift difference(const Shift& a, const Shift& b) {
-  return {static_cast<std::int8_t>(a[0] - b[0]), static_cast<std::int8_t>(a[1] - b[1]),
-          static_cast<std::int8_t>(a[2] - b[2])};
-}
-
 OpenFacet open_facet(const Sites& sites, const std::array<Vertex, 3>& vertices, int cell, int facet) {
   OpenFacet result{{}, sites.shift[lowest(sites, vertices)], cell, facet};
   for (int c = 0; c < 3; ++c) {
@@ -137,7 +132,7 @@ OpenFacet open_facet(const Sites& sites, const std::array<Vertex, 3>& vertices, 
       continue;
     }
     std::int64_t code = sites.number[v];
-    for (const std::int8_t along : difference(sites.shift[v], result.origin))
+    for (const std::int8_t along : sites.shift[v] - result.origin)
       code = code * 256 + along + 128;
     result.key[c] = code;
   }
@@ -157,8 +152,8 @@ void join(std::vector<OpenFacet>& open, Triangulation& cells) {
       fail();
     cells.neighbours[a.cell][a.facet] = b.cell;
     cells.neighbours[b.cell][b.facet] = a.cell;
-    cells.shifts[a.cell][a.facet] = difference(a.origin, b.origin);
-    cells.shifts[b.cell][b.facet] = difference(b.origin, a.origin);
+    cells.shifts[a.cell][a.facet] = a.origin - b.origin;
+    cells.shifts[b.cell][b.facet] = b.origin - a.origin;
   }
 }
 

@@ -11,6 +11,20 @@ namespace pfv {
 /// By how many box sizes something is shifted along each axis.
 using Shift = std::array<std::int8_t, 3>;
 
+inline Shift operator+(const Shift& a, const Shift& b) {
+  return {static_cast<std::int8_t>(a[0] + b[0]), static_cast<std::int8_t>(a[1] + b[1]),
+          static_cast<std::int8_t>(a[2] + b[2])};
+}
+inline Shift operator-(const Shift& a, const Shift& b) {
+  return {static_cast<std::int8_t>(a[0] - b[0]), static_cast<std::int8_t>(a[1] - b[1]),
+          static_cast<std::int8_t>(a[2] - b[2])};
+}
+
+/// Scalar product with a vector whose components are per box size.
+inline double along(const Vec3& per_box, const Shift& shift) {
+  return per_box.x() * shift[0] + per_box.y() * shift[1] + per_box.z() * shift[2];
+}
+
 /// The spheres that vertices of the triangulation stand for. They come in Morton order of their centres, so that
 /// neighbours in space are neighbours in memory; in a periodic box their images outside the box follow.
 struct Sites {

@@ -12,6 +12,11 @@ inline Packing packing_from(const std::string& file) {
   return read_packing(std::string(TEST_DATA) + "/" + file);
 }
 
+inline PoreNetwork network_of(const Packing& packing, const PeriodicAxes& periodic = {}) {
+  Clock clock;
+  return build_pore_network(packing, periodic, clock);
+}
+
 /// Flow along an axis under a unit pressure drop, unit viscosity.
 inline Case flow_through(const Packing& packing, Axis axis = Axis::z) {
   Case problem;

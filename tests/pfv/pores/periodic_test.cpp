@@ -2,6 +2,7 @@
 #include "pfv/pores/pore_network.hpp"
 #include "pfv/problem/error.hpp"
 #include "pfv/problem/generate.hpp"
+#include "support/packings.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -9,13 +10,9 @@
 #include <numeric>
 
 using namespace pfv;
+using pfv::testing::network_of;
 
 namespace {
-
-PoreNetwork network_of(const Packing& packing, const PeriodicAxes& periodic) {
-  Clock clock;
-  return build_pore_network(packing, periodic, clock);
-}
 
 Packing loose(double ratio) {
   return random_packing({.spheres = 120, .solid_fraction = .4, .radius_ratio = ratio, .seed = 5, .size = 2e-3});

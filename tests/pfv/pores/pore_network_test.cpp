@@ -10,14 +10,10 @@
 #include <numeric>
 
 using namespace pfv;
+using pfv::testing::network_of;
 using pfv::testing::packing_from;
 
 namespace {
-
-PoreNetwork network_of(const Packing& packing) {
-  Clock clock;
-  return build_pore_network(packing, {}, clock);
-}
 
 /// Volume and surface of a sphere inside the box, by its eight octants.
 BallPart inside_box(const Sphere& sphere, const Box& box) {

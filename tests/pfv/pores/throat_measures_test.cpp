@@ -10,14 +10,10 @@
 #include <numbers>
 
 using namespace pfv;
+using pfv::testing::network_of;
 using pfv::testing::packing_from;
 
 namespace {
-
-PoreNetwork network_of(const Packing& packing) {
-  Clock clock;
-  return build_pore_network(packing, {}, clock);
-}
 
 ThroatMeasures one_by_one(const PoreNetwork& network, std::size_t t) {
   return measure_throat(network.walls, network.sites.spheres, network.throats.vertices[t],
