@@ -29,6 +29,13 @@ double number(const json& value) {
   return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
 }
 
+std::vector<double> numbers(const json& values) {
+  std::vector<double> list;
+  for (const json& value : values)
+    list.push_back(number(value));
+  return list;
+}
+
 pfv::Vec3 vector(const json& value) {
   return {number(value.at(0)), number(value.at(1)), number(value.at(2))};
 }
@@ -55,6 +62,10 @@ Answer parse(const json& object) {
     for (std::size_t face = 0; face < 6; ++face)
       (*answer.wall_forces)[face] = vector(object["wall_forces"].at(face));
   }
+  if (object.contains("point_pressures"))
+    answer.point_pressures = numbers(object["point_pressures"]);
+  if (object.contains("facet_fluxes"))
+    answer.facet_fluxes = numbers(object["facet_fluxes"]);
   for (const json& stage : object.at("stages"))
     answer.stages.push_back({stage.at("name"), number(stage.at("cpu_seconds"))});
   for (const auto& [name, value] : object.at("counts").items())
@@ -78,6 +89,10 @@ std::string to_json(const Answer& answer) {
     object["sphere_forces"] = written_all(*answer.sphere_forces);
   if (answer.wall_forces)
     object["wall_forces"] = written_all(*answer.wall_forces);
+  if (answer.point_pressures)
+    object["point_pressures"] = *answer.point_pressures;
+  if (answer.facet_fluxes)
+    object["facet_fluxes"] = *answer.facet_fluxes;
   for (const pfv::Stage& stage : answer.stages)
     object["stages"].push_back({{"name", stage.name}, {"cpu_seconds", stage.cpu_seconds}});
   for (const auto& [name, value] : answer.counts)

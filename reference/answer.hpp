@@ -24,7 +24,7 @@ inline constexpr const char* memory_count = "memory_bytes";
 /// absent, never zero. SI units.
 struct Answer {
   std::string method;
-  double mesh_size = 1;               // of the Resolution asked for; 1 for methods without a mesh
+  double mesh_size = 1;               // of the Request asked for; 1 for methods without a mesh
   std::size_t unknowns = 0;           // degrees of freedom of the largest system solved
   std::optional<double> permeability; // m^2
   std::array<double, 6> face_flux{};  // m^3/s by pfv::Face, positive out of the box
@@ -34,6 +34,8 @@ struct Answer {
   /// the area of the box; one centred on a slip wall is half of a mirrored pair, with no force normal to the wall.
   std::optional<std::vector<pfv::Vec3>> sphere_forces;
   std::optional<std::array<pfv::Vec3, 6>> wall_forces; // N, by pfv::Face, of the fluid on the face
+  std::optional<std::vector<double>> point_pressures;  // Pa, at Probes::points; NaN in the solid and where unknown
+  std::optional<std::vector<double>> facet_fluxes; // m^3/s, through Probes::facets along their normals; NaN if unknown
   std::vector<pfv::Stage>
       stages; // CPU seconds by stage, once-per-mesh stages marked by name "mesh", see also repeat_prefix
   std::map<std::string, double> counts; // remedies and checks: contracted_throats, bridges, iterations, flux_imbalance

@@ -3,6 +3,7 @@
 #include "pfv/clock.hpp"
 #include "pfv/problem/case.hpp"
 #include "reference/answer.hpp"
+#include "reference/probes.hpp"
 
 #include <memory>
 #include <optional>
@@ -11,9 +12,11 @@
 
 namespace reference {
 
-/// How fine. mesh_size scales every element length of a method's default mesh: 1 is the default, 2 twice as coarse.
-struct Resolution {
-  double mesh_size = 1;
+/// How a case is to be answered, and what of the answer is wanted beside the usual.
+struct Request {
+  double mesh_size = 1; // scales every element length of a method's default mesh: 2 is twice as coarse
+  int ranks = 1;        // processes that share the work, by MPI
+  Probes probes = {};   // where to sample the flow; nothing is sampled and nothing paid for without
 };
 
 /// What a run is expected to take, known before it starts.
@@ -40,9 +43,12 @@ public:
   virtual std::optional<std::string> not_covered(const pfv::Case& problem) const = 0;
   /// Expected order of convergence of the permeability in mesh_size; nothing for a method without a mesh.
   virtual std::optional<double> convergence_order() const { return std::nullopt; }
-  virtual Estimate estimate(const pfv::Case& problem, const Resolution& resolution) const = 0;
-  /// Throws pfv::SolveError with the reason when it cannot answer. Calls from one process, one thread.
-  virtual Answer solve(const pfv::Case& problem, const Resolution& resolution, pfv::Clock& clock) const = 0;
+  /// Whether it can share its work between several ranks.
+  virtual bool runs_on_ranks() const { return false; }
+  virtual Estimate estimate(const pfv::Case& problem, const Request& request) const = 0;
+  /// Throws pfv::SolveError with the reason when it cannot answer. Called from one process and one thread, it
+  /// starts its ranks itself.
+  virtual Answer solve(const pfv::Case& problem, const Request& request, pfv::Clock& clock) const = 0;
 };
 
 /// Every method known to this build, available or not, in the order tables show them.

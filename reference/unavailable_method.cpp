@@ -17,8 +17,8 @@ public:
   std::string description() const override { return description_; }
   std::optional<std::string> unavailable() const override { return reason_; }
   std::optional<std::string> not_covered(const pfv::Case&) const override { return std::nullopt; }
-  Estimate estimate(const pfv::Case&, const Resolution&) const override { return {}; }
-  Answer solve(const pfv::Case&, const Resolution&, pfv::Clock&) const override {
+  Estimate estimate(const pfv::Case&, const Request&) const override { return {}; }
+  Answer solve(const pfv::Case&, const Request&, pfv::Clock&) const override {
     throw pfv::SolveError(name_ + " is unavailable: " + reason_);
   }
 

@@ -47,15 +47,16 @@ Vec3 imposed_gradient(const FaceConditions& faces) {
   return gradient;
 }
 
-FaceConditions flow_along(Axis axis, double pressure_drop) {
+FaceConditions flow_along(Axis axis, double pressure_drop, Tangential tangential) {
   FaceConditions faces{};
-  faces[index(lower_face(axis))] = Pressure{0};
-  faces[index(upper_face(axis))] = Pressure{pressure_drop};
+  faces[index(lower_face(axis))] = Pressure{0, tangential};
+  faces[index(upper_face(axis))] = Pressure{pressure_drop, tangential};
   return faces;
 }
 
-FaceConditions flow_along(Axis axis, double pressure_drop, const PeriodicAxes& periodic, const Box& box) {
-  FaceConditions faces = flow_along(axis, pressure_drop);
+FaceConditions flow_along(Axis axis, double pressure_drop, const PeriodicAxes& periodic, const Box& box,
+                          Tangential tangential) {
+  FaceConditions faces = flow_along(axis, pressure_drop, tangential);
   for (const Axis other : {Axis::x, Axis::y, Axis::z}) {
     if (!periodic[index(other)])
       continue;

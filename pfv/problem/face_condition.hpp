@@ -4,6 +4,7 @@
 #include "pfv/problem/packing.hpp"
 
 #include <array>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -14,10 +15,17 @@ struct SlipWall {
   bool operator==(const SlipWall&) const = default;
 };
 
-/// Open plane at a fixed piezometric pressure with zero tangential velocity; as div u = 0, the normal viscous traction
-/// vanishes there and p is the whole normal traction.
+/// What the fluid does along an open plane: `zero`, it may only cross it, as if a fine grid stood there; `free`, no
+/// shear traction holds it back (du_t/dn = 0).
+enum class Tangential { zero, free };
+inline constexpr std::array<std::string_view, 2> tangential_names{"zero", "free"};
+
+/// Open plane at a fixed piezometric pressure. With zero tangential velocity, as div u = 0, the normal viscous traction
+/// vanishes there and p is the whole normal traction; with a free one p - mu du_n/dn is held at the value. Pore-scale
+/// models know no difference.
 struct Pressure {
   double value; // Pa
+  Tangential tangential = Tangential::zero;
 
   bool operator==(const Pressure&) const = default;
 };
@@ -64,10 +72,11 @@ PeriodicAxes periodic_axes(const FaceConditions& faces);
 Vec3 imposed_gradient(const FaceConditions& faces);
 
 /// Flow along `axis` from the upper face at `pressure_drop` (Pa) to the lower face at zero, slip walls around.
-FaceConditions flow_along(Axis axis, double pressure_drop = 1.0);
+FaceConditions flow_along(Axis axis, double pressure_drop = 1.0, Tangential tangential = Tangential::zero);
 
 /// The same in a box that repeats along some axes: these have neither walls nor, if `axis` is one, faces at a pressure,
 /// but the mean gradient that makes the drop over the length of the box.
-FaceConditions flow_along(Axis axis, double pressure_drop, const PeriodicAxes& periodic, const Box& box);
+FaceConditions flow_along(Axis axis, double pressure_drop, const PeriodicAxes& periodic, const Box& box,
+                          Tangential tangential = Tangential::zero);
 
 } // namespace pfv

@@ -116,7 +116,8 @@ PeriodicAxes periodic_axes(const FaceInput& input) {
 
 FaceConditions face_conditions(const FaceInput& input, const Box& box) {
   const auto* flow = std::get_if<FlowAlong>(&input);
-  return flow ? flow_along(flow->axis, flow->pressure_drop, flow->periodic, box) : std::get<FaceConditions>(input);
+  return flow ? flow_along(flow->axis, flow->pressure_drop, flow->periodic, box, flow->tangential)
+              : std::get<FaceConditions>(input);
 }
 
 Case read_case(const std::filesystem::path& file, const QuestionOptions& options) {

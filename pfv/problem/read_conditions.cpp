@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace pfv {
 
@@ -23,6 +24,15 @@ PeriodicAxes as_periodic_axes(const toml::node& node) {
   for (const toml::node& name : *list)
     periodic[index(as_axis(name, "periodic"))] = true;
   return periodic;
+}
+
+Tangential as_tangential(const toml::node& node) {
+  const std::string text = as_text(node, "tangential");
+  if (text == tangential_names[0])
+    return Tangential::zero;
+  if (text == tangential_names[1])
+    return Tangential::free;
+  fail_at(node, fmt::format("tangential \"{}\" must be one of {}", text, fmt::join(tangential_names, ", ")));
 }
 
 PressureProfile read_profile(const toml::table& table, const toml::array& points, std::string_view face) {
@@ -59,14 +69,17 @@ FaceCondition read_face(const toml::node& node, std::string_view name) {
     allow_keys(*table, fmt::format("{} with a pressure profile", name), {"pressure", "along"});
     return read_profile(*table, *points, name);
   }
-  allow_keys(*table, name, {"pressure", "flux", "periodic"});
-  return Pressure{as_number(required(*table, name, "pressure"), "pressure")};
+  allow_keys(*table, name, {"pressure", "tangential", "flux", "periodic"});
+  Pressure open{as_number(required(*table, name, "pressure"), "pressure")};
+  if (const toml::node* tangential = table->get("tangential"))
+    open.tangential = as_tangential(*tangential);
+  return open;
 }
 
 } // namespace
 
 FlowAlong read_flow(const toml::table& table) {
-  allow_keys(table, "[flow]", {"axis", "pressure_drop", "periodic"});
+  allow_keys(table, "[flow]", {"axis", "pressure_drop", "periodic", "tangential"});
   FlowAlong flow;
   flow.axis = as_axis(required(table, "[flow]", "axis"), "axis");
   if (const toml::node* drop = table.get("pressure_drop")) {
@@ -76,6 +89,8 @@ FlowAlong read_flow(const toml::table& table) {
   }
   if (const toml::node* periodic = table.get("periodic"))
     flow.periodic = as_periodic_axes(*periodic);
+  if (const toml::node* tangential = table.get("tangential"))
+    flow.tangential = as_tangential(*tangential);
   return flow;
 }
 

@@ -13,6 +13,7 @@ struct FlowAlong {
   Axis axis = Axis::z;
   double pressure_drop = 1; // Pa
   PeriodicAxes periodic = {};
+  Tangential tangential = Tangential::zero;
 };
 
 /// What a case says of its faces, in [flow] or in [faces].

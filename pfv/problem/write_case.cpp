@@ -28,7 +28,8 @@ std::string list(const Vec3& vector) {
 struct ConditionText {
   std::string operator()(const SlipWall&) const { return "\"slip\""; }
   std::string operator()(const Pressure& pressure) const {
-    return fmt::format("{{ pressure = {} }}", shortest(pressure.value));
+    const char* tangential = pressure.tangential == Tangential::free ? ", tangential = \"free\"" : "";
+    return fmt::format("{{ pressure = {}{} }}", shortest(pressure.value), tangential);
   }
   std::string operator()(const PressureProfile& profile) const {
     std::string points;

@@ -73,11 +73,11 @@ public:
       return *reason;
     return std::nullopt;
   }
-  Estimate estimate(const pfv::Case&, const Resolution&) const override { return {0, 1e-3, 1e6}; }
-  Answer solve(const pfv::Case& problem, const Resolution& resolution, pfv::Clock& clock) const override;
+  Estimate estimate(const pfv::Case&, const Request&) const override { return {0, 1e-3, 1e6}; }
+  Answer solve(const pfv::Case& problem, const Request& request, pfv::Clock& clock) const override;
 };
 
-Answer ClosedForm::solve(const pfv::Case& problem, const Resolution&, pfv::Clock& clock) const {
+Answer ClosedForm::solve(const pfv::Case& problem, const Request&, pfv::Clock& clock) const {
   Answer answer;
   {
     const auto timing = clock.stage("look up");

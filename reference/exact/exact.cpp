@@ -47,20 +47,20 @@ public:
     return std::nullopt;
   }
   std::optional<double> convergence_order() const override { return 2; }
-  Estimate estimate(const pfv::Case& problem, const Resolution& resolution) const override {
-    return {static_cast<double>(unknowns(problem, resolution)), 1e-3, 1e6};
+  Estimate estimate(const pfv::Case& problem, const Request& request) const override {
+    return {static_cast<double>(unknowns(problem, request)), 1e-3, 1e6};
   }
-  Answer solve(const pfv::Case& problem, const Resolution& resolution, pfv::Clock& clock) const override;
+  Answer solve(const pfv::Case& problem, const Request& request, pfv::Clock& clock) const override;
 
 private:
-  static std::size_t unknowns(const pfv::Case& problem, const Resolution& resolution) {
+  static std::size_t unknowns(const pfv::Case& problem, const Request& request) {
     return static_cast<std::size_t>(1000 * static_cast<double>(problem.packing.spheres.size()) /
-                                    std::pow(resolution.mesh_size, 3)) +
+                                    std::pow(request.mesh_size, 3)) +
            1;
   }
 };
 
-Answer Exact::solve(const pfv::Case& problem, const Resolution& resolution, pfv::Clock& clock) const {
+Answer Exact::solve(const pfv::Case& problem, const Request& request, pfv::Clock& clock) const {
   if (const auto reason = not_covered(problem))
     throw pfv::SolveError("exact does not cover this case: " + *reason);
   Answer answer;
@@ -71,9 +71,9 @@ Answer Exact::solve(const pfv::Case& problem, const Resolution& resolution, pfv:
     const auto setup = *pfv::permeability_setup(problem);
     const int axis = pfv::index(setup.axis);
     answer.method = name();
-    answer.mesh_size = resolution.mesh_size;
-    answer.unknowns = unknowns(problem, resolution);
-    answer.permeability = 1 + 0.05 * resolution.mesh_size * resolution.mesh_size;
+    answer.mesh_size = request.mesh_size;
+    answer.unknowns = unknowns(problem, request);
+    answer.permeability = 1 + 0.05 * request.mesh_size * request.mesh_size;
     const double drop = *setup.pressure_drop;
     const double flux = *answer.permeability * setup.area * drop / (problem.fluid.viscosity * setup.length);
     answer.face_flux[static_cast<std::size_t>(2 * axis)] = flux;

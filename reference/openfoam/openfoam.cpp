@@ -36,9 +36,9 @@ std::vector<std::string> open_faces(const pfv::FaceConditions& faces) {
   return names;
 }
 
-meshing::MeshSettings mesh_settings(const Resolution& resolution) {
+meshing::MeshSettings mesh_settings(const Request& request) {
   meshing::MeshSettings settings;
-  settings.mesh_size = finer_mesh * resolution.mesh_size;
+  settings.mesh_size = finer_mesh * request.mesh_size;
   return settings;
 }
 
@@ -85,8 +85,8 @@ public:
   }
   /// Measured from mesh_size 1.5 to 1 on touching lattices: 2.0 (FCC) to 2.4 (simple cubic).
   std::optional<double> convergence_order() const override { return 2; }
-  Estimate estimate(const pfv::Case& problem, const Resolution& resolution) const override;
-  Answer solve(const pfv::Case& problem, const Resolution& resolution, pfv::Clock& clock) const override;
+  Estimate estimate(const pfv::Case& problem, const Request& request) const override;
+  Answer solve(const pfv::Case& problem, const Request& request, pfv::Clock& clock) const override;
 };
 
 Answer answer_in_si(const pfv::Case& problem, const FlowFields& fields, const FluidForces& forces) {
@@ -104,12 +104,12 @@ Answer answer_in_si(const pfv::Case& problem, const FlowFields& fields, const Fl
   return answer;
 }
 
-Answer OpenFoam::solve(const pfv::Case& problem, const Resolution& resolution, pfv::Clock& clock) const {
+Answer OpenFoam::solve(const pfv::Case& problem, const Request& request, pfv::Clock& clock) const {
   if (const auto reason = unavailable())
     throw pfv::SolveError("openfoam is unavailable: " + *reason);
   if (const auto reason = not_covered(problem))
     throw pfv::SolveError("openfoam does not cover this case: " + *reason);
-  const auto settings = mesh_settings(resolution);
+  const auto settings = mesh_settings(request);
   const auto void_mesh = meshing::void_mesh(problem, settings, meshing::default_mesh_cache());
   clock.add("mesh", void_mesh.cpu_seconds);
 
@@ -135,7 +135,7 @@ Answer OpenFoam::solve(const pfv::Case& problem, const Resolution& resolution, p
     answer = answer_in_si(problem, fields, fluid_forces(mesh, fields, problem, bridges));
   }
   answer.method = name();
-  answer.mesh_size = resolution.mesh_size;
+  answer.mesh_size = request.mesh_size;
   answer.unknowns = 4 * mesh.cells();
   answer.porosity = volume(mesh) * std::pow(units_of(problem).length, 3) / problem.packing.box.volume();
   answer.stages = clock.stages();
@@ -166,8 +166,8 @@ double spheres_inside(const pfv::Packing& packing) {
 
 // Fitted to lattices, nine spheres and 30 random ones from 8e3 to 2e5 cells: the mesh grades, so cells grow with less
 // than the cube.
-Estimate OpenFoam::estimate(const pfv::Case& problem, const Resolution& resolution) const {
-  const double cells = 35000 * spheres_inside(problem.packing) * std::pow(resolution.mesh_size, -2.6);
+Estimate OpenFoam::estimate(const pfv::Case& problem, const Request& request) const {
+  const double cells = 35000 * spheres_inside(problem.packing) * std::pow(request.mesh_size, -2.6);
   return {4 * cells, 2.5e-4 * cells, 1e8 + 1300 * cells};
 }
 

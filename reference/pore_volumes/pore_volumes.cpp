@@ -6,6 +6,7 @@
 #include "reference/cut_spheres.hpp"
 #include "reference/memory_meter.hpp"
 #include "reference/pore_volumes/repeated_step.hpp"
+#include "reference/pore_volumes/sample.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,14 +35,14 @@ public:
   /// About 5.6 pores per sphere. CPU from runs of 2e2 ... 2e4 spheres: 40 us per sphere up to the system, then a solve
   /// by multigrid in 10 us per sphere, or one that grows like N^1.6 (Gauss-Seidel); memory 4 kB per sphere above the
   /// program's own 20 MB.
-  Estimate estimate(const pfv::Case& problem, const Resolution&) const override {
+  Estimate estimate(const pfv::Case& problem, const Request&) const override {
     const auto spheres = static_cast<double>(problem.packing.spheres.size());
     const bool sor = std::holds_alternative<pfv::GaussSeidel>(solver_);
     const double solve = sor ? 5e-6 * std::pow(spheres, 1.6) : 1e-5 * spheres;
     return {5.6 * spheres, 4e-5 * spheres + solve, 2e7 + 4e3 * spheres};
   }
 
-  Answer solve(const pfv::Case& problem, const Resolution&, pfv::Clock& clock) const override {
+  Answer solve(const pfv::Case& problem, const Request& request, pfv::Clock& clock) const override {
     pfv::FlowOptions options;
     options.solver = solver_;
     const MemoryMeter memory;
@@ -72,6 +73,8 @@ public:
         {"solver", flow.solver.name}, {"conductance", "hydraulic radius, alpha = 1/2"}, {"walls", "mirror"}};
     if (flow.system.held_pores > 0)
       answer.counts["held_pores"] = static_cast<double>(flow.system.held_pores);
+    if (!request.probes.empty())
+      sample(flow, request.probes, answer);
     // Before the repeated step, whose room the answer does not need.
     answer.counts[memory_count] = static_cast<double>(memory.bytes());
     for (const auto& [stage, cpu_seconds] : repeated_step(followed, problem.packing))

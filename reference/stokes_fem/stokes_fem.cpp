@@ -19,8 +19,8 @@ namespace {
 // one (measured: 0.5 to 0.8 %; at 1 still 0.7 to 1.2 %).
 constexpr double mesher_size = 0.85;
 
-meshing::MeshSettings mesh_settings(const Resolution& resolution) {
-  return {.mesh_size = mesher_size * resolution.mesh_size};
+meshing::MeshSettings mesh_settings(const Request& request) {
+  return {.mesh_size = mesher_size * request.mesh_size};
 }
 
 std::string text(double value) {
@@ -54,14 +54,14 @@ public:
   // than that the order is lower still.
   std::optional<double> convergence_order() const override { return 2.5; }
 
-  Estimate estimate(const pfv::Case& problem, const Resolution& resolution) const override {
-    return stokes_fem::estimate_cost(problem.packing, mesh_settings(resolution).mesh_size);
+  Estimate estimate(const pfv::Case& problem, const Request& request) const override {
+    return stokes_fem::estimate_cost(problem.packing, mesh_settings(request).mesh_size);
   }
 
-  Answer solve(const pfv::Case& problem, const Resolution& resolution, pfv::Clock& clock) const override {
+  Answer solve(const pfv::Case& problem, const Request& request, pfv::Clock& clock) const override {
     if (const auto reason = not_covered(problem))
       throw pfv::SolveError("stokes_fem does not cover this case: " + *reason);
-    const meshing::MeshSettings settings = mesh_settings(resolution);
+    const meshing::MeshSettings settings = mesh_settings(request);
     const meshing::VoidMesh mesh = meshing::void_mesh(problem, settings, meshing::default_mesh_cache());
     pfv::Clock own;
     own.add("mesh", mesh.cpu_seconds);
@@ -71,7 +71,7 @@ public:
     for (const pfv::Stage& stage : own.stages())
       clock.add(stage.name, stage.cpu_seconds);
     answer.method = name();
-    answer.mesh_size = resolution.mesh_size;
+    answer.mesh_size = request.mesh_size;
     answer.stages = own.stages();
     answer.counts["bridges"] = static_cast<double>(mesh.quality.bridges);
     answer.counts["volume_error"] = *answer.porosity * problem.packing.box.volume() / mesh.quality.exact_volume - 1;

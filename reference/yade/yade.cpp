@@ -38,9 +38,9 @@ public:
   std::string version() const override { return program_version(); }
   std::optional<std::string> unavailable() const override { return missing_program(); }
   std::optional<std::string> not_covered(const pfv::Case& problem) const override { return beyond_limits(problem); }
-  Estimate estimate(const pfv::Case& problem, const Resolution&) const override { return expected_cost(problem); }
+  Estimate estimate(const pfv::Case& problem, const Request&) const override { return expected_cost(problem); }
 
-  Answer solve(const pfv::Case& problem, const Resolution&, pfv::Clock& clock) const override {
+  Answer solve(const pfv::Case& problem, const Request&, pfv::Clock& clock) const override {
     if (const auto reason = unavailable())
       throw pfv::SolveError("yade is unavailable: " + *reason);
     if (const auto reason = not_covered(problem))

@@ -19,6 +19,8 @@ struct AnswerOptions {
   std::filesystem::path case_file;
   std::string method;
   double mesh_size = 1;
+  int ranks = 1;
+  bool samples = false;
   std::filesystem::path out;
 };
 
@@ -26,9 +28,12 @@ int answer(const AnswerOptions& options) {
   const reference::Method& method = reference::find_method(options.method);
   const pfv::Case problem = pfv::read_case(options.case_file);
   try {
+    reference::Request request{options.mesh_size, options.ranks};
+    if (options.samples)
+      request.probes = reference::pore_probes(problem).probes;
     pfv::Clock clock;
     const reference::MemoryMeter memory;
-    reference::Answer answer = method.solve(problem, {options.mesh_size}, clock);
+    reference::Answer answer = method.solve(problem, request, clock);
     answer.counts.try_emplace(reference::memory_count, static_cast<double>(memory.bytes()));
     write_file(options.out, reference::to_json(answer));
     return exit_answered;
@@ -49,6 +54,8 @@ void add_answer(CLI::App& app, Invocation& invocation) {
   command->add_option("--case", options->case_file, "Case in TOML")->required();
   command->add_option("--method", options->method, "Name of the method")->required();
   command->add_option("--mesh-size", options->mesh_size, "Scales every element length")->check(CLI::PositiveNumber);
+  command->add_option("--ranks", options->ranks, "Processes that share the work")->check(CLI::Range(1, 1024));
+  command->add_flag("--samples", options->samples, "Also pressures and fluxes at the pores and throats of PFV");
   command->add_option("--out", options->out, "File for the answer")->required();
   command->callback([options, &invocation] { invocation.exit_code = answer(*options); });
 }

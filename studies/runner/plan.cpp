@@ -37,11 +37,11 @@ std::vector<PlannedRun> plan(const Study& study, const Scope& scope) {
           !(scope.methods.empty() || contains(scope.methods, method.name)))
         continue;
       if (!reference::find_method(method.name).convergence_order()) {
-        runs.push_back({one.id, method.name, 1});
+        runs.push_back({one.id, method.name, 1, method.ranks});
         continue;
       }
       for (const double mesh_size : scope.quick ? method.quick_mesh_sizes : method.mesh_sizes)
-        runs.push_back({one.id, method.name, mesh_size});
+        runs.push_back({one.id, method.name, mesh_size, method.ranks});
     }
   }
   return runs;

@@ -17,6 +17,7 @@ struct PlannedRun {
   std::string case_id;
   std::string method;
   double mesh_size;
+  int ranks = 1;
 
   bool operator==(const PlannedRun&) const = default;
 };

@@ -38,12 +38,23 @@ Attempt attempt(const RunOrder& order) {
   options.wall_limit = order.wall_limit;
   for (const char* threads : {"OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "DEAL_II_NUM_THREADS"})
     options.environment.emplace(threads, "1");
+  std::vector<std::string> command{order.study_executable.string(),
+                                   "answer",
+                                   "--case",
+                                   order.case_file.string(),
+                                   "--method",
+                                   order.method,
+                                   "--mesh-size",
+                                   fmt::format("{}", order.mesh_size),
+                                   "--ranks",
+                                   fmt::format("{}", order.ranks),
+                                   "--out",
+                                   out.string()};
+  if (order.samples)
+    command.push_back("--samples");
   const auto start = WallClock::now();
   Attempt result;
-  result.child =
-      meshing::run_child({order.study_executable.string(), "answer", "--case", order.case_file.string(), "--method",
-                          order.method, "--mesh-size", fmt::format("{}", order.mesh_size), "--out", out.string()},
-                         options);
+  result.child = meshing::run_child(command, options);
   result.wall_seconds = seconds_since(start);
   if (result.child.succeeded()) {
     result.answer_text = pfv::read_text(out);

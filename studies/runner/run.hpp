@@ -17,6 +17,8 @@ struct RunOrder {
   std::filesystem::path case_file;
   std::string method;
   double mesh_size = 1;
+  int ranks = 1;
+  bool samples = false;              // see Study
   double wall_limit = 1800;          // s, of each process
   std::filesystem::path answer_file; // where the kept answer goes
   std::filesystem::path log;         // what the processes print

@@ -10,6 +10,8 @@ struct RunKey {
   std::string case_digest;
   std::string method;
   double mesh_size;
+  int ranks;
+  bool samples;
   std::string method_version;
   std::string answer_sources;
 };

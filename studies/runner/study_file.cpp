@@ -94,13 +94,23 @@ Scaling read_scaling(const toml::table& table, const std::vector<std::string>& m
   return scaling;
 }
 
+int as_ranks(const toml::node& node, const std::string& method) {
+  const auto ranks = node.value_exact<std::int64_t>();
+  if (!ranks || *ranks < 1 || *ranks > 1024)
+    fail_at(node, fmt::format("ranks \"{}\" must be a whole number from 1 to 1024", pfv::quote(node)));
+  if (*ranks > 1 && !reference::find_method(method).runs_on_ranks())
+    fail_at(node, fmt::format("ranks \"{}\" must be 1: {} does not share its work", *ranks, method));
+  return static_cast<int>(*ranks);
+}
+
 StudyMethod read_method(const toml::node& node) {
   const toml::table& table = pfv::as_table(node, "method");
-  pfv::allow_keys(table, "[[method]]", {"name", "mesh_sizes", "quick_mesh_sizes"});
+  pfv::allow_keys(table, "[[method]]", {"name", "mesh_sizes", "quick_mesh_sizes", "ranks"});
   StudyMethod method{as_method(pfv::required(table, "[[method]]", "name")), {1.4, 1.0}, {2.0, 1.4}};
   if_present(table, "mesh_sizes", [&](auto& sizes) { method.mesh_sizes = as_mesh_sizes(sizes, "mesh_sizes"); });
   if_present(table, "quick_mesh_sizes",
              [&](auto& sizes) { method.quick_mesh_sizes = as_mesh_sizes(sizes, "quick_mesh_sizes"); });
+  if_present(table, "ranks", [&](auto& ranks) { method.ranks = as_ranks(ranks, method.name); });
   return method;
 }
 
@@ -177,9 +187,9 @@ void refuse_twice(const toml::node& node, const List& list, std::string List::va
 
 Study read_study(const std::filesystem::path& file) {
   const toml::table root = pfv::read_toml(file);
-  pfv::allow_keys(
-      root, "a study",
-      {"title", "question", "reference", "published_source", "tolerance", "budget", "scaling", "method", "case"});
+  pfv::allow_keys(root, "a study",
+                  {"title", "question", "reference", "published_source", "tolerance", "budget", "samples", "scaling",
+                   "method", "case"});
   Study study;
   study.name = std::filesystem::absolute(file).parent_path().filename().string();
   study.title = pfv::as_text(pfv::required(root, "the study", "title"), "title");
@@ -189,6 +199,13 @@ Study read_study(const std::filesystem::path& file) {
   if_present(root, "tolerance",
              [&](auto& node) { study.tolerance = read_tolerance(pfv::as_table(node, "tolerance")); });
   if_present(root, "budget", [&](auto& node) { study.budget = read_budget(pfv::as_table(node, "budget")); });
+
+  if_present(root, "samples", [&](auto& node) {
+    const auto flag = node.template value_exact<bool>();
+    if (!flag)
+      fail_at(node, fmt::format("samples \"{}\" must be true or false", pfv::quote(node)));
+    study.samples = *flag;
+  });
 
   const toml::node& methods = pfv::required(root, "the study", "method");
   std::vector<std::string> names;

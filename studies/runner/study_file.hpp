@@ -41,6 +41,7 @@ struct StudyMethod {
   std::string name;
   std::vector<double> mesh_sizes;       // coarse to fine
   std::vector<double> quick_mesh_sizes; // coarse to fine
+  int ranks = 1;                        // processes that share a run, by MPI
 };
 
 /// Asks for tables of how cost grows with the number of spheres.
@@ -60,6 +61,7 @@ struct Study {
   std::string published_source; // of the published figures; empty without any
   Tolerance tolerance;
   Budget budget;
+  bool samples = false; // whether methods give pressures at PFV's pores and along lines, and fluxes through its throats
   std::optional<Scaling> scaling;
   std::vector<StudyMethod> methods; // in the order of the tables
   std::vector<StudyCase> cases;

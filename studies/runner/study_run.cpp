@@ -46,10 +46,10 @@ Row identity(const Study& study, const PlannedRun& planned, const StoredCase& st
   row.answer_sources = build.answer_sources;
   row.commit = build.commit;
   row.compiler = build.compiler;
-  row.flags = build.flags + "; one thread";
+  row.flags = build.flags + (planned.ranks == 1 ? "; one thread" : fmt::format("; {} ranks", planned.ranks));
   row.machine = this_machine;
-  row.key =
-      digest(RunKey{row.case_id, row.case_digest, row.method, row.mesh_size, row.method_version, row.answer_sources});
+  row.key = digest(RunKey{row.case_id, row.case_digest, row.method, row.mesh_size, planned.ranks, study.samples,
+                          row.method_version, row.answer_sources});
   return row;
 }
 
@@ -74,7 +74,7 @@ bool within(const Budget& budget, const Row& row) {
 
 // Why a run is not started, when it is not. Fills in the estimate.
 std::optional<Status> reason_not_to_run(const reference::Method& method, const pfv::Case& problem, const Budget& budget,
-                                        Row& row) {
+                                        int ranks, Row& row) {
   if (const auto reason = method.unavailable()) {
     row.message = *reason;
     return Status::unavailable;
@@ -83,7 +83,7 @@ std::optional<Status> reason_not_to_run(const reference::Method& method, const p
     row.message = *reason;
     return Status::not_covered;
   }
-  const reference::Estimate estimate = method.estimate(problem, {row.mesh_size});
+  const reference::Estimate estimate = method.estimate(problem, {row.mesh_size, ranks});
   row.estimated_cpu_seconds = estimate.cpu_seconds;
   row.estimated_memory_bytes = estimate.memory_bytes;
   if (within(budget, row))
@@ -173,7 +173,7 @@ std::vector<Row> run_study(const Study& study, const Scope& scope, const RunSett
       rows[i] = *before;
       continue;
     }
-    if (const auto reason = reason_not_to_run(method, stored.problem, study.budget, row)) {
+    if (const auto reason = reason_not_to_run(method, stored.problem, study.budget, planned.ranks, row)) {
       row.status = *reason;
       row.started = now_utc();
       if (!before || before->status != row.status || before->message != row.message)
@@ -181,12 +181,12 @@ std::vector<Row> run_study(const Study& study, const Scope& scope, const RunSett
       rows[i] = row;
       continue;
     }
-    tasks.push_back(
-        {i,
-         planned,
-         row,
-         {settings.study_executable, stored.file, planned.method, planned.mesh_size, study.budget.wall_seconds,
-          answer_file(settings.work.answers(), row.key), settings.work.logs() / (row.key + ".log")}});
+    tasks.push_back({i,
+                     planned,
+                     row,
+                     {settings.study_executable, stored.file, planned.method, planned.mesh_size, planned.ranks,
+                      study.samples, study.budget.wall_seconds, answer_file(settings.work.answers(), row.key),
+                      settings.work.logs() / (row.key + ".log")}});
   }
   onlooker.planned(runs.size() - tasks.size(), runs.size());
 

@@ -78,6 +78,13 @@ TEST(ReadCase, WhatIsLeftOutHasDefaults) {
   EXPECT_EQ(problem, (Case{"c", nine_spheres(), Fluid{1.0}, flow_along(Axis::x, 1.0), std::nullopt}));
 }
 
+TEST(ReadCase, TangentialVelocityOnOpenFaces) {
+  EXPECT_EQ(read(nine + "[flow]\naxis = \"x\"\ntangential = \"free\"\n").faces,
+            flow_along(Axis::x, 1.0, Tangential::free));
+  const Case one = read(nine + "[faces]\nx_min = { pressure = 1, tangential = \"free\" }\n");
+  EXPECT_EQ(one.faces[index(Face::x_min)], (FaceCondition{Pressure{1, Tangential::free}}));
+}
+
 TEST(ReadCase, Generators) {
   const auto packing = [](const std::string& lines) {
     return read("[flow]\naxis = \"z\"\n[packing]\n" + lines).packing;
@@ -106,7 +113,7 @@ TEST(ToToml, ReadsBackTheSame) {
   problem.packing.spheres[1] = {Vec3(-0.0, 1, 0), 9007199254740993e6};
   problem.fluid.viscosity = 1e22;
   problem.faces[index(Face::x_min)] = Pressure{-9007199254740994.0};
-  problem.faces[index(Face::y_max)] = Pressure{1e15};
+  problem.faces[index(Face::y_max)] = Pressure{1e15, Tangential::free};
   problem.buoyancy = Buoyancy{1e-5, Vec3(0, -0.0, -9.81)};
   const Case again = read(to_toml(problem));
   EXPECT_EQ(again, problem);
@@ -130,11 +137,11 @@ TEST(ReadCaseRefuses, UnknownKeysNamingTheValidOnes) {
   EXPECT_EQ(complaint_after_flow("[buoyancy]\nfluid_density = 1\ndensity = 1\ngravity = [0, 0, 1]\n"),
             "c.toml:9: unknown key \"density\" in [buoyancy]; valid keys: fluid_density, gravity");
   EXPECT_EQ(complaint(nine + "[flow]\naxis = \"z\"\ndrop = 1\n"),
-            "c.toml:5: unknown key \"drop\" in [flow]; valid keys: axis, pressure_drop, periodic");
+            "c.toml:5: unknown key \"drop\" in [flow]; valid keys: axis, pressure_drop, periodic, tangential");
   EXPECT_EQ(complaint(nine + "[faces]\ntop = \"slip\"\n"),
             "c.toml:4: unknown key \"top\" in [faces]; valid keys: x_min, x_max, y_min, y_max, z_min, z_max");
   EXPECT_EQ(complaint(nine + "[faces]\nz_max = { p = 1 }\n"),
-            "c.toml:4: unknown key \"p\" in z_max; valid keys: pressure, flux, periodic");
+            "c.toml:4: unknown key \"p\" in z_max; valid keys: pressure, tangential, flux, periodic");
 }
 
 TEST(ReadCaseRefuses, UnknownPackingKeysByKindOfPacking) {
@@ -217,6 +224,8 @@ TEST(ReadCaseRefuses, BadFlows) {
   const std::string message = "a case must have exactly one of [flow] and [faces]";
   EXPECT_EQ(complaint(nine), "c.toml:1: " + message);
   EXPECT_EQ(complaint(nine + "[flow]\naxis = \"z\"\n[faces]\nz_max = { pressure = 1 }\n"), "c.toml:5: " + message);
+  EXPECT_EQ(complaint(nine + "[flow]\naxis = \"x\"\ntangential = \"slip\"\n"),
+            "c.toml:5: tangential \"slip\" must be one of zero, free");
   EXPECT_EQ(complaint(nine + "[flow]\npressure_drop = 1\n"), "c.toml:3: [flow] has no \"axis\"; it is needed");
   EXPECT_EQ(complaint(nine + "[flow]\naxis = \"w\"\n"), "c.toml:4: axis \"w\" must be one of x, y, z");
   EXPECT_EQ(complaint(nine + "[flow]\naxis = 3\n"), "c.toml:4: axis \"3\" must be a text in quotes");
@@ -244,7 +253,7 @@ TEST(ReadCaseRefuses, BadFluidsAndBuoyancies) {
             "c.toml:8: viscosity \"-3\" must be a positive number (Pa s)");
   EXPECT_EQ(complaint_after_flow("[fluid]\nviscosity = \"water\"\n"), "c.toml:8: viscosity \"water\" must be a number");
   EXPECT_EQ(complaint_after_flow("fluid = 3\n"),
-            "c.toml:7: unknown key \"fluid\" in [flow]; valid keys: axis, pressure_drop, periodic");
+            "c.toml:7: unknown key \"fluid\" in [flow]; valid keys: axis, pressure_drop, periodic, tangential");
   EXPECT_EQ(complaint_after_flow("[buoyancy]\nfluid_density = 1000\n"),
             "c.toml:7: [buoyancy] has no \"gravity\"; it is needed");
   EXPECT_EQ(complaint_after_flow("[buoyancy]\nfluid_density = 1000\ngravity = -9.81\n"),
