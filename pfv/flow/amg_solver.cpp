@@ -143,7 +143,7 @@ public:
     check("set up its levels");
   }
 
-  void apply(const Eigen::VectorXd& residual, Eigen::VectorXd& correction) override {
+  double apply(const Eigen::VectorXd& residual, Eigen::VectorXd& correction) override {
     const int size = static_cast<int>(rows_.size());
     HYPRE_IJVectorSetValues(residual_.get(), size, rows_.data(), residual.data());
     HYPRE_ParVectorSetConstantValues(object(correction_), 0);
@@ -151,6 +151,7 @@ public:
     HYPRE_ClearError(HYPRE_ERROR_CONV); // one cycle is not meant to converge
     check("cycle");
     HYPRE_IJVectorGetValues(correction_.get(), size, rows_.data(), correction.data());
+    return residual.dot(correction);
   }
 
   void describe(SolverReport& report) const override {

@@ -24,8 +24,9 @@ public:
       throw SolveError("cholmod: the matrix is not positive definite");
   }
 
-  void apply(const Eigen::VectorXd& residual, Eigen::VectorXd& correction) override {
+  double apply(const Eigen::VectorXd& residual, Eigen::VectorXd& correction) override {
     correction = factor_.solve(residual);
+    return residual.dot(correction);
   }
 
   void describe(SolverReport& report) const override {

@@ -31,7 +31,7 @@ public:
       return;
     preconditioner_->factor(matrix);
     preconditioner_->describe(report_);
-    report_.memory_bytes += 4 * sizeof(double) * report_.unknowns;
+    report_.memory_bytes += 3 * sizeof(double) * report_.unknowns;
   }
 
   void update(const FlowMatrix& matrix) override {
@@ -72,38 +72,63 @@ private:
   static constexpr int most_steps = 1000;
   static constexpr int most_steps_when_stale = 30;
 
-  /// False when the steps do not suffice.
+  /// False when the steps do not suffice. What can be done in one pass over the vectors is, as memory is what it waits
+  /// for.
   bool iterate(const Eigen::VectorXd& right_side, Eigen::VectorXd& pressure, int most) {
     residual_ = right_side - *matrix_ * pressure;
     direction_.setZero(right_side.size());
-    correction_.resize(right_side.size());
+    product_.resize(right_side.size());
     double old_power = 1;
     for (int step = 0; step < most; ++step) {
-      preconditioner_->apply(residual_, correction_);
-      const double power_of_error = residual_.dot(correction_);
+      const double power_of_error = preconditioner_->apply(residual_, product_);
       if (power_of_error == 0)
         return true;
-      direction_ = correction_ + power_of_error / old_power * direction_;
-      image_.noalias() = *matrix_ * direction_;
-      const double curvature = direction_.dot(image_);
+      direction_ = product_ + power_of_error / old_power * direction_;
+      const double curvature = multiply_direction();
       if (!(power_of_error > 0 && curvature > 0))
         throw SolveError(fmt::format("{}: the matrix is not positive definite", report_.name));
       const double length = power_of_error / curvature;
-      pressure += length * direction_;
-      residual_ -= length * image_;
       old_power = power_of_error;
       ++report_.iterations;
-      if (power_of_error <= tolerance_ * tolerance_ * pressure.dot(right_side))
+      if (power_of_error <= tolerance_ * tolerance_ * advance(length, right_side, pressure))
         return true;
     }
     return false;
+  }
+
+  /// product = A direction; returns direction.product.
+  double multiply_direction() {
+    const int* start = matrix_->outerIndexPtr();
+    const int* column = matrix_->innerIndexPtr();
+    const double* value = matrix_->valuePtr();
+    double product = 0;
+    for (Eigen::Index i = 0; i < product_.size(); ++i) {
+      double sum = 0;
+      for (int e = start[i]; e < start[i + 1]; ++e)
+        sum += value[e] * direction_[column[e]];
+      product_[i] = sum;
+      product += sum * direction_[i];
+    }
+    return product;
+  }
+
+  /// A step along the direction; returns the power p.b.
+  double advance(double length, const Eigen::VectorXd& right_side, Eigen::VectorXd& pressure) {
+    double power = 0;
+    for (Eigen::Index i = 0; i < pressure.size(); ++i) {
+      pressure[i] += length * direction_[i];
+      residual_[i] -= length * product_[i];
+      power += pressure[i] * right_side[i];
+    }
+    return power;
   }
 
   std::unique_ptr<Preconditioner> preconditioner_;
   double tolerance_;
   const FlowMatrix* matrix_ = nullptr;
   bool stale_ = false;
-  Eigen::VectorXd residual_, correction_, direction_, image_;
+  Eigen::VectorXd residual_, direction_;
+  Eigen::VectorXd product_; // M residual, then A direction
   SolverReport report_;
 };
 

@@ -3,54 +3,82 @@
 #include <algorithm>
 
 namespace pfv {
+namespace {
 
-MultigridLevel::MultigridLevel(const FlowMatrix& matrix, double scale) {
-  const auto whole = view(matrix);
-  start_ = whole.start;
-  column_ = whole.column;
-  value_.resize(whole.value.size());
-  std::ranges::transform(whole.value, value_.begin(), [scale](double v) { return static_cast<float>(scale * v); });
-  invert_diagonal();
+// Rows are read four entries at a time, those of the next row as zeros: how many a row has cannot be foreseen, and a
+// wrong guess costs more than four products.
+constexpr int chunk = 4;
+
+/// Calls visit(column, value) for the entries of a row, and for some more with a value of zero: the entry `nothing`.
+template <class Visit>
+inline void visit_row(const int* start, const int* column, const float* value, int nothing, int row, Visit visit) {
+  const int end = start[row + 1];
+  int e = start[row];
+  do {
+    for (int k = 0; k < chunk; ++k) {
+      const int inside = -static_cast<int>(e + k < end); // all bits or none
+      const int at = ((e + k) & inside) | (nothing & ~inside);
+      visit(column[at], value[at]);
+    }
+    e += chunk;
+  } while (e < end);
 }
 
-MultigridLevel::MultigridLevel(SparseRows matrix) : own_(std::move(matrix)) {
-  start_ = own_.start;
-  column_ = own_.column;
-  value_ = std::move(own_.value);
-  invert_diagonal();
-}
+} // namespace
 
-void MultigridLevel::invert_diagonal() {
-  const std::size_t rows = start_.size() - 1;
+template <class Value>
+MultigridLevel::MultigridLevel(const MatrixView<Value>& matrix, double scale) {
+  const auto rows = static_cast<std::size_t>(matrix.rows());
+  const std::size_t above = (matrix.column.size() - std::min(rows, matrix.column.size())) / 2;
+  start_.reserve(rows + 1);
+  column_.reserve(above + chunk);
+  value_.reserve(above + chunk);
+  inverse_diagonal_.assign(rows, 0);
+  start_.push_back(0);
+  for (int i = 0; i < matrix.rows(); ++i) {
+    for (int e = matrix.start[i]; e < matrix.start[i + 1]; ++e) {
+      const auto value = static_cast<float>(scale * matrix.value[e]);
+      if (matrix.column[e] == i && value > 0)
+        inverse_diagonal_[i] = 1 / value;
+      if (matrix.column[e] <= i)
+        continue;
+      column_.push_back(matrix.column[e]);
+      value_.push_back(value);
+    }
+    start_.push_back(static_cast<int>(column_.size()));
+  }
+  column_.insert(column_.end(), chunk, 0);
+  value_.insert(value_.end(), chunk, 0.0F);
   right_side.assign(rows, 0);
   pressure.assign(rows, 0);
-  inverse_diagonal_.assign(rows, 0); // stays 0 where the sum of a coarse diagonal has cancelled to nothing
-  for (int i = 0; i < this->rows(); ++i)
-    for (int e = start_[i]; e < start_[i + 1]; ++e)
-      if (column_[e] == i && value_[e] > 0)
-        inverse_diagonal_[i] = 1 / value_[e];
 }
 
+template MultigridLevel::MultigridLevel(const MatrixView<double>&, double);
+template MultigridLevel::MultigridLevel(const MatrixView<float>&, double);
+
 std::size_t MultigridLevel::memory_bytes() const {
-  return own_.memory_bytes() + sizeof(Parents) * from_coarser.size() +
+  return sizeof(int) * (start_.size() + column_.size()) + sizeof(Parents) * from_coarser.size() +
          sizeof(float) * (value_.size() + inverse_diagonal_.size() + right_side.size() + pressure.size());
 }
 
 void MultigridLevel::sweep_up_from_zero() {
+  const int nothing = static_cast<int>(column_.size()) - 1;
   for (int i = 0; i < rows(); ++i) {
-    float balance = right_side[i];
-    for (int e = start_[i]; column_[e] < i; ++e)
-      balance -= value_[e] * pressure[column_[e]];
-    pressure[i] = balance * inverse_diagonal_[i];
+    const float p = right_side[i] * inverse_diagonal_[i];
+    pressure[i] = p;
+    right_side[i] = 0; // from here on L p of the correction
+    visit_row(start_.data(), column_.data(), value_.data(), nothing, i,
+              [&](int j, float value) { right_side[j] -= value * p; });
   }
 }
 
-void MultigridLevel::restrict_residual_to(MultigridLevel& coarser) const {
+void MultigridLevel::restrict_residual_to(MultigridLevel& coarser) {
+  const int nothing = static_cast<int>(column_.size()) - 1;
   std::ranges::fill(coarser.right_side, 0.0F);
   for (int i = 0; i < rows(); ++i) {
-    float residual = right_side[i];
-    for (int e = start_[i]; e < start_[i + 1]; ++e)
-      residual -= value_[e] * pressure[column_[e]];
+    float residual = 0;
+    visit_row(start_.data(), column_.data(), value_.data(), nothing, i,
+              [&](int j, float value) { residual -= value * pressure[j]; });
     const Parents& parents = from_coarser[i];
     coarser.right_side[parents.row[0]] += parents.weight[0] * residual;
     coarser.right_side[parents.row[1]] += parents.weight[1] * residual;
@@ -58,19 +86,23 @@ void MultigridLevel::restrict_residual_to(MultigridLevel& coarser) const {
 }
 
 void MultigridLevel::add_correction_of(const MultigridLevel& coarser) {
+  const int nothing = static_cast<int>(column_.size()) - 1;
   for (int i = 0; i < rows(); ++i) {
     const Parents& parents = from_coarser[i];
-    pressure[i] +=
+    const float correction =
         parents.weight[0] * coarser.pressure[parents.row[0]] + parents.weight[1] * coarser.pressure[parents.row[1]];
+    visit_row(start_.data(), column_.data(), value_.data(), nothing, i,
+              [&](int j, float value) { right_side[j] += value * correction; });
   }
 }
 
 void MultigridLevel::sweep_down() {
+  const int nothing = static_cast<int>(column_.size()) - 1;
   for (int i = rows() - 1; i >= 0; --i) {
-    float balance = right_side[i];
-    for (int e = start_[i]; e < start_[i + 1]; ++e)
-      balance -= value_[e] * pressure[column_[e]];
-    pressure[i] += balance * inverse_diagonal_[i];
+    float other = right_side[i];
+    visit_row(start_.data(), column_.data(), value_.data(), nothing, i,
+              [&](int j, float value) { other += value * pressure[j]; });
+    pressure[i] -= other * inverse_diagonal_[i];
   }
 }
 

@@ -20,24 +20,31 @@ public:
           fmt::format("multigrid: the matrix is not positive definite, {} on its diagonal", diagonal.minCoeff()));
     scale_ = 1 / diagonal.maxCoeff(); // single precision has a narrow range
     levels_.clear();
-    levels_.emplace_back(matrix, scale_);
+    levels_.emplace_back(view(matrix), scale_);
     // The first coarse matrix is summed from double precision: in wide throats nearly all of it cancels.
-    coarsen(view(matrix), scale_);
-    while (has_coarser_ && levels_.back().rows() > coarsest_rows)
-      coarsen(levels_.back().matrix(), 1);
+    SparseRows coarsest = coarsen(view(matrix), scale_);
+    while (has_coarser_ && levels_.back().rows() > coarsest_rows) {
+      SparseRows coarser = coarsen(view(coarsest), 1);
+      if (has_coarser_)
+        coarsest = std::move(coarser);
+    }
     if (has_coarser_)
-      factor_coarsest();
+      factor(coarsest);
   }
 
-  void apply(const Eigen::VectorXd& residual, Eigen::VectorXd& correction) override {
+  double apply(const Eigen::VectorXd& residual, Eigen::VectorXd& correction) override {
     MultigridLevel& finest = levels_.front();
     const double size = residual.lpNorm<Eigen::Infinity>();
     const double into = size > 0 ? 1 / size : 0, back = scale_ * size;
     for (int i = 0; i < finest.rows(); ++i)
       finest.right_side[i] = static_cast<float>(into * residual[i]);
     cycle(0);
-    for (int i = 0; i < finest.rows(); ++i)
+    double product = 0;
+    for (int i = 0; i < finest.rows(); ++i) {
       correction[i] = back * finest.pressure[i];
+      product += residual[i] * correction[i];
+    }
+    return product;
   }
 
   void describe(SolverReport& report) const override {
@@ -53,24 +60,24 @@ public:
 private:
   static constexpr int coarsest_rows = 100;
 
+  /// Adds the level below the last one, whose matrix is `fine`, and returns its matrix.
   template <class Value>
-  void coarsen(const MatrixView<Value>& fine, double scale) {
+  SparseRows coarsen(const MatrixView<Value>& fine, double scale) {
     Interpolation from_coarser = interpolation(fine);
     has_coarser_ = from_coarser.coarse_rows > 0;
     if (!has_coarser_)
-      return;
+      return {};
     SparseRows coarse = coarse_matrix(fine, from_coarser, scale);
     levels_.back().from_coarser = std::move(from_coarser.parents);
-    levels_.emplace_back(std::move(coarse));
+    levels_.emplace_back(view(coarse), 1);
+    return coarse;
   }
 
-  void factor_coarsest() {
-    const MultigridLevel& level = levels_.back();
-    const auto matrix = level.matrix();
-    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(level.rows(), level.rows());
-    for (int i = 0; i < level.rows(); ++i)
-      for (int e = matrix.start[i]; e < matrix.start[i + 1]; ++e)
-        dense(i, matrix.column[e]) = matrix.value[e];
+  void factor(const SparseRows& coarsest) {
+    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(coarsest.rows(), coarsest.rows());
+    for (int i = 0; i < coarsest.rows(); ++i)
+      for (int e = coarsest.start[i]; e < coarsest.start[i + 1]; ++e)
+        dense(i, coarsest.column[e]) = coarsest.value[e];
     coarsest_.compute(dense);
   }
 

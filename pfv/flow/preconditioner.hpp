@@ -13,8 +13,8 @@ public:
   virtual void analyse(const FlowMatrix&) {}
   /// Builds M. The matrix outlives its use. Throws SolveError when the matrix is seen not to be positive definite.
   virtual void factor(const FlowMatrix& matrix) = 0;
-  /// correction = M residual.
-  virtual void apply(const Eigen::VectorXd& residual, Eigen::VectorXd& correction) = 0;
+  /// correction = M residual; returns their scalar product.
+  virtual double apply(const Eigen::VectorXd& residual, Eigen::VectorXd& correction) = 0;
   /// Fills in factor_entries or operator_complexity, and memory_bytes.
   virtual void describe(SolverReport& report) const = 0;
 };
