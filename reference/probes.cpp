@@ -62,8 +62,8 @@ PoreProbes pore_probes(const pfv::Case& problem, const pfv::PoreNetwork& network
   const auto setup = permeability_setup(problem);
   add_lines(problem.packing.box, setup ? setup->axis : pfv::Axis::z, probes.points);
   probes.facets.reserve(network.throats.size());
-  for (const auto& vertices : network.throats.vertices)
-    probes.facets.push_back(facet(network, vertices));
+  for (std::size_t throat = 0; throat < network.throats.size(); ++throat)
+    probes.facets.push_back(facet(network, network.corners(throat)));
   return result;
 }
 

@@ -43,13 +43,15 @@ void fill_interior(const Rule& rule, const PoreNetwork::Throats& throats, double
 }
 
 template <typename Rule, typename Walls>
-void fill_at_walls(const Rule& rule, const Walls& walls, const PoreNetwork::Throats& throats, double viscosity,
+void fill_at_walls(const Rule& rule, const Walls& walls, const PoreNetwork& network, double viscosity,
                    double smallest_area, double* values) {
+  const auto& throats = network.throats;
   for (std::size_t t = throats.interior; t < throats.size(); ++t) {
     double wetted = 0;
     int cut_by = 0;
+    const auto corners = network.corners(t);
     for (int c = 0; c < 3; ++c) {
-      const bool wall = is_wall(throats.vertices[t][c]);
+      const bool wall = is_wall(corners[c]);
       wetted += (wall ? walls.surface : 1) * throats.wetted_surface[t][c];
       cut_by += wall;
     }
@@ -92,7 +94,7 @@ void update(Conductances& conductances, const PoreNetwork& network, const Conduc
   std::visit(
       [&](const auto& law, const auto& wall) {
         fill_interior(law, throats, viscosity, smallest, values.data());
-        fill_at_walls(law, wall, throats, viscosity, smallest, values.data());
+        fill_at_walls(law, wall, network, viscosity, smallest, values.data());
       },
       rule, walls);
   conductances.median = median_of_open(values, conductances.sorted_part);

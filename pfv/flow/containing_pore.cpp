@@ -19,7 +19,8 @@ std::vector<double> depths(const PoreNetwork& network, const Vec3& point) {
   const auto& throats = network.throats;
   std::vector<double> depth(network.pores.size(), std::numeric_limits<double>::infinity());
   visit_planes(network, [&](std::size_t t, const ThroatPlane& plane) {
-    const Vertex sphere = *std::ranges::find_if_not(throats.vertices[t], is_wall);
+    const auto corners = network.corners(t);
+    const Vertex sphere = *std::ranges::find_if_not(corners, is_wall);
     const auto [i, j] = throats.pores[t];
     const Vec3 from_facet = point - network.sites.spheres[sphere].centre;
     const Vec3 as_met_by_j = network.centre_ahead(t) - network.pores.centre[j];

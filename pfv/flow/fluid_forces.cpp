@@ -37,12 +37,13 @@ void update(FluidForces& forces, const PoreNetwork& network, const FlowSystem& s
   visit_planes(network, [&](std::size_t t, const ThroatPlane& plane) {
     const Vec3 step = pressure_drop(network, system, pressure, t) * plane.normal;
     std::array<double, 3> wetted = throats.wetted_surface[t];
+    const auto corners = network.corners(t);
     for (int c = 0; c < 3; ++c)
-      if (is_wall(throats.vertices[t][c]))
+      if (is_wall(corners[c]))
         wetted[c] *= wall_share;
     const auto share = fluid_shares(wetted, plane.sector);
     for (int c = 0; c < 3; ++c) {
-      const Vertex v = throats.vertices[t][c];
+      const Vertex v = corners[c];
       const Vec3 viscous = plane.fluid_area() * share[c] * step;
       if (is_wall(v)) {
         forces.on_face[index(face_of(v))] += viscous;

@@ -112,7 +112,7 @@ void settle(PoreNetwork& network, std::vector<FlatPore>& flat) {
     FlatPore *behind = find(i), *ahead = find(j);
     if ((behind != nullptr) == (ahead != nullptr))
       continue;
-    const Vec3 normal = make_facet(network.walls, network.sites.spheres, throats.vertices[t]).normal;
+    const Vec3 normal = make_facet(network.walls, network.sites.spheres, network.corners(t)).normal;
     const Vec3 shift = network.centre_ahead(t) - network.pores.centre[j];
     if (behind)
       narrow(*behind, normal, network.pores.centre[j] + shift);

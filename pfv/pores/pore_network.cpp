@@ -39,13 +39,13 @@ void list_throats(const Triangulation& cells, PoreNetwork::Throats& throats) {
         if (std::ranges::any_of(vertices, is_wall) != at_wall)
           continue;
         throats.pores.push_back({i, cells.neighbours[i][f]});
-        throats.vertices.push_back(vertices);
+        throats.facet.push_back(static_cast<std::uint8_t>(f));
         if (!cells.shifts.empty())
           throats.shift.push_back(cells.shifts[i][f]);
       }
   };
   throats.pores.reserve(2 * cells.cells.size());
-  throats.vertices.reserve(2 * cells.cells.size());
+  throats.facet.reserve(2 * cells.cells.size());
   add_all(false);
   throats.interior = throats.pores.size();
   add_all(true);
@@ -87,14 +87,6 @@ PeriodicAxes PoreNetwork::periodic() const {
 
 bool PoreNetwork::Pores::touches(std::size_t pore, Face face) const {
   return std::ranges::find(vertices[pore], wall_vertex(face)) != vertices[pore].end();
-}
-
-double PoreNetwork::Throats::sphere_surface(std::size_t throat) const {
-  double sum = 0;
-  for (int c = 0; c < 3; ++c)
-    if (!is_wall(vertices[throat][c]))
-      sum += wetted_surface[throat][c];
-  return sum;
 }
 
 double PoreNetwork::porosity() const {

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace pfv {
@@ -45,18 +46,16 @@ struct PoreNetwork {
   std::vector<WallPart> wall_parts;
 
   struct Throats {
-    std::size_t interior = 0;                    // the first ones have no wall among their vertices, all others have
-    std::vector<std::array<int, 2>> pores;       // i, j
-    std::vector<Shift> shift;                    // of j; empty unless the box is periodic
-    std::vector<std::array<Vertex, 3>> vertices; // in the order that turns the normal from i to j
-    std::vector<double> fluid_area;              // m^2, S_f: S less the sectors of the discs
-    std::vector<double> length;                  // m, l = (P_j - P_i).n
-    std::vector<double> void_volume;             // m^3, Theta: of the bipyramid
+    std::size_t interior = 0;              // the first ones have no wall among their vertices, all others have
+    std::vector<std::array<int, 2>> pores; // i, j
+    std::vector<Shift> shift;              // of j; empty unless the box is periodic
+    std::vector<std::uint8_t> facet;       // of pore i: opposite that of its vertices, see PoreNetwork::corners
+    std::vector<double> fluid_area;        // m^2, S_f: S less the sectors of the discs
+    std::vector<double> length;            // m, l = (P_j - P_i).n
+    std::vector<double> void_volume;       // m^3, Theta: of the bipyramid
     std::vector<std::array<double, 3>> wetted_surface; // m^2, gamma by vertex; a wall has its own
 
     std::size_t size() const { return pores.size(); }
-    /// gamma of the spheres (m^2), walls left out.
-    double sphere_surface(std::size_t throat) const;
   } throats;
 
   struct Spheres {
@@ -71,6 +70,10 @@ struct PoreNetwork {
   PeriodicAxes periodic() const;
   /// Void volume / box volume.
   double porosity() const;
+  /// The vertices of a throat in the order that turns its normal from pore i to pore j.
+  std::array<Vertex, 3> corners(std::size_t throat) const {
+    return facet_opposite(pores.vertices[throats.pores[throat][0]], throats.facet[throat]);
+  }
   /// Centre of the pore ahead of a throat as the throat meets it (m).
   Vec3 centre_ahead(std::size_t throat) const;
 };

@@ -81,7 +81,7 @@ private:
   }
 
   void one_by_one(std::size_t t) {
-    store(t, measure_throat(network_.walls, network_.sites.spheres, network_.throats.vertices[t],
+    store(t, measure_throat(network_.walls, network_.sites.spheres, network_.corners(t),
                             network_.pores.centre[network_.throats.pores[t][0]], network_.centre_ahead(t)));
   }
 
@@ -91,8 +91,9 @@ private:
     throats.length[t] = measures.length;
     throats.void_volume[t] = measures.behind.void_volume + measures.ahead.void_volume;
     throats.wetted_surface[t] = measures.wetted;
+    const auto corners = network_.corners(t);
     for (int c = 0; c < 3; ++c)
-      if (const Vertex v = throats.vertices[t][c]; !is_wall(v)) {
+      if (const Vertex v = corners[c]; !is_wall(v)) {
         const int k = network_.sites.number[v];
         network_.spheres.volume[k] += measures.ball[c];
         network_.spheres.wetted_surface[k] += measures.wetted[c];

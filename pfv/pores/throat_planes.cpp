@@ -7,19 +7,21 @@ namespace pfv {
 int gather(const PoreNetwork& network, std::size_t first, FacetBlock& block) {
   const auto& throats = network.throats;
   const int count = static_cast<int>(std::min<std::size_t>(FacetBlock::width, throats.interior - first));
-  for (int t = 0; t < count; ++t)
+  for (int t = 0; t < count; ++t) {
+    const auto corners = network.corners(first + t);
     for (int c = 0; c < 3; ++c) {
-      const Sphere& sphere = network.sites.spheres[throats.vertices[first + t][c]];
+      const Sphere& sphere = network.sites.spheres[corners[c]];
       block.corners[c].x[t] = sphere.centre.x();
       block.corners[c].y[t] = sphere.centre.y();
       block.corners[c].z[t] = sphere.centre.z();
       block.corners[c].radius[t] = sphere.radius;
     }
+  }
   return count;
 }
 
 bool is_cut(const PoreNetwork& network, std::size_t throat) {
-  return std::ranges::any_of(network.throats.vertices[throat], [&](Vertex v) {
+  return std::ranges::any_of(network.corners(throat), [&](Vertex v) {
     const auto& [centre, radius] = network.sites.spheres[v];
     return ((centre - network.walls.lower).array() < radius).any() ||
            ((network.walls.upper - centre).array() < radius).any();
@@ -34,7 +36,7 @@ void visit_planes(const PoreNetwork& network, const std::function<void(std::size
     block.measure();
     for (int t = 0; t < count; ++t) {
       if (is_cut(network, first + t))
-        visit(first + t, measure_plane(network.walls, network.sites.spheres, throats.vertices[first + t]));
+        visit(first + t, measure_plane(network.walls, network.sites.spheres, network.corners(first + t)));
       else
         visit(first + t, {{block.normal[0][t], block.normal[1][t], block.normal[2][t]},
                           block.area[t],
@@ -42,7 +44,7 @@ void visit_planes(const PoreNetwork& network, const std::function<void(std::size
     }
   }
   for (std::size_t t = throats.interior; t < throats.size(); ++t)
-    visit(t, measure_plane(network.walls, network.sites.spheres, throats.vertices[t]));
+    visit(t, measure_plane(network.walls, network.sites.spheres, network.corners(t)));
 }
 
 } // namespace pfv

@@ -52,7 +52,7 @@ TEST(WallRules, LeaveInteriorThroatsAloneAndOrderTheOthers) {
       EXPECT_EQ(mirror[t], original[t]);
       continue;
     }
-    const auto walls = std::ranges::count_if(network.throats.vertices[t], is_wall);
+    const auto walls = std::ranges::count_if(network.corners(t), is_wall);
     const bool follows_the_rule = network.throats.void_volume[t] > 0 && network.throats.fluid_area[t] > 0;
     const double factor = std::pow(2, -0.5 * static_cast<double>(walls));
     EXPECT_TRUE(!follows_the_rule || std::abs(original[t] / mirror[t] - factor) < 1e-14);

@@ -16,7 +16,7 @@ using pfv::testing::packing_from;
 namespace {
 
 ThroatMeasures one_by_one(const PoreNetwork& network, std::size_t t) {
-  return measure_throat(network.walls, network.sites.spheres, network.throats.vertices[t],
+  return measure_throat(network.walls, network.sites.spheres, network.corners(t),
                         network.pores.centre[network.throats.pores[t][0]], network.centre_ahead(t));
 }
 
@@ -43,7 +43,7 @@ TEST(ThroatMeasures, AreTheSameInBlocks) {
         EXPECT_NEAR(network.throats.wetted_surface[t][c], throat.wetted[c], 1e-12 * side * side);
     }
     visit_planes(network, [&](std::size_t t, const ThroatPlane& plane) {
-      const ThroatPlane other = measure_plane(network.walls, network.sites.spheres, network.throats.vertices[t]);
+      const ThroatPlane other = measure_plane(network.walls, network.sites.spheres, network.corners(t));
       EXPECT_NEAR(plane.area, other.area, 1e-13 * side * side);
       EXPECT_NEAR((plane.normal - other.normal).norm(), 0, 1e-9);
       for (int c = 0; c < 3; ++c)
@@ -84,7 +84,7 @@ TEST(ThroatMeasures, GiveEveryWallItsWettedSurface) {
     std::array<double, 6> wetted{};
     for (std::size_t t = network.throats.interior; t < network.throats.size(); ++t)
       for (int c = 0; c < 3; ++c)
-        if (const Vertex v = network.throats.vertices[t][c]; is_wall(v))
+        if (const Vertex v = network.corners(t)[c]; is_wall(v))
           wetted[index(face_of(v))] += network.throats.wetted_surface[t][c];
     for (const Face face : all_faces)
       EXPECT_NEAR(wetted[index(face)] / free_wall(packing, face), 1, 1e-10) << face_names[index(face)];
