@@ -20,6 +20,11 @@ inline const std::string repeat_prefix = "repeat: ";
 /// method that knows better than its caller can measure gives it itself.
 inline constexpr const char* memory_count = "memory_bytes";
 
+/// The counts that whoever asks for samples adds: how many of the points, from the first, are pores; and what the
+/// pressures are to be measured by (Pa).
+inline constexpr const char* sampled_pores_count = "sampled_pores";
+inline constexpr const char* pressure_drop_count = "pressure_drop";
+
 /// What a method says about a Case: the common currency of all comparisons. A quantity a method does not compute is
 /// absent, never zero. SI units.
 struct Answer {

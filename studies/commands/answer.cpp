@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 
 namespace studies {
@@ -29,12 +30,21 @@ int answer(const AnswerOptions& options) {
   const pfv::Case problem = pfv::read_case(options.case_file);
   try {
     reference::Request request{options.mesh_size, options.ranks};
-    if (options.samples)
-      request.probes = reference::pore_probes(problem).probes;
+    std::size_t pores = 0;
+    if (options.samples) {
+      auto [probes, lines] = reference::pore_probes(problem);
+      request.probes = std::move(probes);
+      pores = lines;
+    }
     pfv::Clock clock;
     const reference::MemoryMeter memory;
     reference::Answer answer = method.solve(problem, request, clock);
     answer.counts.try_emplace(reference::memory_count, static_cast<double>(memory.bytes()));
+    if (options.samples) {
+      answer.counts[reference::sampled_pores_count] = static_cast<double>(pores);
+      if (const auto setup = permeability_setup(problem); setup && setup->pressure_drop)
+        answer.counts[reference::pressure_drop_count] = std::abs(*setup->pressure_drop);
+    }
     write_file(options.out, reference::to_json(answer));
     return exit_answered;
   } catch (const pfv::SolveError& error) {

@@ -31,13 +31,18 @@ std::optional<Difference> permeability_difference(const Finding& finding, const 
                     no_mesh ? reference_error : sum(own_error, reference_error), reference_error};
 }
 
-std::optional<Difference> force_difference(const Finding& finding, const Finding& reference) {
-  if (!finding.forces || !reference.forces)
+std::optional<Difference> rms_of(const std::optional<BoundedField>& field, const std::optional<BoundedField>& reference,
+                                 bool no_mesh, std::optional<double> scale = std::nullopt) {
+  if (!field || !reference)
     return std::nullopt;
-  const auto reference_error = reference.forces->relative_error;
-  const bool no_mesh = !finding.told().convergence_order;
-  return Difference{rms_difference(finding.forces->values, reference.forces->values),
-                    no_mesh ? reference_error : sum(finding.forces->relative_error, reference_error), reference_error};
+  const double unit = scale.value_or(rms(reference->values));
+  const auto relative = [&](std::optional<double> error) {
+    return error ? std::optional(*error / unit) : std::nullopt;
+  };
+  const auto reference_error = relative(reference->error);
+  const double difference = rms_difference(field->values, reference->values);
+  return Difference{difference == 0 ? 0 : difference / unit,
+                    no_mesh ? reference_error : sum(relative(field->error), reference_error), reference_error};
 }
 
 bool agrees(const Difference& difference, double tolerance) {
@@ -75,22 +80,27 @@ std::optional<Outcome> outcome_without_answer(Status status) {
 void compare_quantities(const Finding& finding, const Finding& reference, const Tolerance& tolerance,
                         Comparison& comparison) {
   comparison.permeability = permeability_difference(finding, reference);
-  comparison.forces = force_difference(finding, reference);
+  // A method without a mesh has no discretisation error of its own: the reference's is all there is.
+  const bool no_mesh = !finding.told().convergence_order;
+  comparison.forces = rms_of(finding.forces, reference.forces, no_mesh);
+  comparison.fluxes = rms_of(finding.throat_fluxes, reference.throat_fluxes, no_mesh);
+  if (reference.pressure_drop)
+    comparison.pressures = rms_of(finding.pore_pressures, reference.pore_pressures, no_mesh, reference.pressure_drop);
   if (!comparison.permeability && !comparison.forces) {
     comparison.outcome = Outcome::not_covered;
     comparison.because = fmt::format("no quantity in common with {}", comparison.reference);
     return;
   }
   bool all_agree = true;
-  if (comparison.permeability) {
-    all_agree = all_agree && agrees(*comparison.permeability, tolerance.permeability);
-    comparison.because = told(*comparison.permeability, "permeability", tolerance.permeability);
-  }
-  if (comparison.forces) {
-    all_agree = all_agree && agrees(*comparison.forces, tolerance.forces);
-    comparison.because +=
-        (comparison.because.empty() ? "" : "; ") + told(*comparison.forces, "rms force", tolerance.forces);
-  }
+  const auto judge = [&](const std::optional<Difference>& difference, const char* quantity, double allowed) {
+    if (!difference)
+      return;
+    all_agree = all_agree && agrees(*difference, allowed);
+    comparison.because += (comparison.because.empty() ? "" : "; ") + told(*difference, quantity, allowed);
+  };
+  judge(comparison.permeability, "permeability", tolerance.permeability);
+  judge(comparison.forces, "rms force", tolerance.forces);
+  judge(comparison.pressures, "rms pore pressure", tolerance.pressures);
   comparison.outcome = all_agree ? Outcome::agrees : Outcome::differs;
 }
 
@@ -100,22 +110,29 @@ bool Difference::unresolved() const {
   return reference_error && std::abs(value) < *reference_error;
 }
 
-double rms_difference(std::span<const pfv::Vec3> forces, std::span<const pfv::Vec3> reference) {
-  if (forces.size() != reference.size())
-    throw pfv::InputError(
-        fmt::format("forces on {} and on {} spheres cannot be compared", forces.size(), reference.size()));
-  double difference = 0;
-  double scale = 0;
-  for (std::size_t i = 0; i < forces.size(); ++i) {
-    difference += (forces[i] - reference[i]).squaredNorm();
-    scale += reference[i].squaredNorm();
+double rms(std::span<const double> values) {
+  const std::vector<double> nothing(values.size(), 0);
+  return rms_difference(values, nothing);
+}
+
+double rms_difference(std::span<const double> values, std::span<const double> reference) {
+  if (values.size() != reference.size())
+    throw pfv::InputError(fmt::format("{} and {} values cannot be compared", values.size(), reference.size()));
+  double squares = 0;
+  std::size_t known = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double difference = values[i] - reference[i];
+    if (std::isnan(difference))
+      continue;
+    squares += difference * difference;
+    ++known;
   }
-  return difference == 0 ? 0 : std::sqrt(difference / scale);
+  return known > 0 ? std::sqrt(squares / static_cast<double>(known)) : 0;
 }
 
 Comparison compare(const Finding& finding, const std::string& reference_method, const Finding* reference,
                    const Tolerance& tolerance) {
-  Comparison comparison{finding.case_id, finding.method, reference_method, std::nullopt, {}, {}, {}};
+  Comparison comparison{finding.case_id, finding.method, reference_method, std::nullopt, {}, {}, {}, {}, {}};
   const Row& told_row = finding.told();
   if (!finding.answered()) {
     comparison.outcome = outcome_without_answer(told_row.status);

@@ -14,6 +14,7 @@ namespace studies {
 struct Tolerance {
   double permeability = 0.05;
   double forces = 0.05;
+  double pressures = 0.05; // of the pressure drop
 
   bool operator==(const Tolerance&) const = default;
 };
@@ -37,11 +38,15 @@ struct Comparison {
   std::optional<Outcome> outcome;         // nothing for the reference itself and for what was not run
   std::string because;                    // one sentence without a full stop
   std::optional<Difference> permeability; // (k - k_ref) / k_ref
-  std::optional<Difference> forces;       // rms_difference
+  std::optional<Difference> forces;       // rms, of the rms force on the spheres
+  std::optional<Difference> pressures;    // rms over the pores, of the pressure drop
+  std::optional<Difference> fluxes;       // rms, of the rms flux through throats: told, not judged
 };
 
-/// sqrt(sum |F - F_ref|^2 / sum |F_ref|^2) over all spheres. Throws pfv::InputError unless both have the same spheres.
-double rms_difference(std::span<const pfv::Vec3> forces, std::span<const pfv::Vec3> reference);
+/// Root mean square of values, and of differences, over what is known of them. Throws pfv::InputError unless both are
+/// of one length.
+double rms(std::span<const double> values);
+double rms_difference(std::span<const double> values, std::span<const double> reference);
 
 /// `reference` is what the reference method found on the same case; pass a null pointer when it was not asked.
 Comparison compare(const Finding& finding, const std::string& reference_method, const Finding* reference,

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace studies {
 
@@ -62,32 +63,31 @@ Bounded extrapolate(std::vector<Sample> samples, std::optional<double> order) {
   return {value, extrapolation_safety * std::max(std::abs(fine.value - value), spread), observed.value_or(*order)};
 }
 
-BoundedForces extrapolate_forces(std::span<const double> mesh_sizes, std::span<const std::vector<pfv::Vec3>> forces,
-                                 std::optional<double> order) {
-  if (forces.empty() || forces.size() != mesh_sizes.size())
-    throw pfv::InputError("forces and mesh sizes do not belong together");
-  const std::size_t spheres = forces.front().size();
-  for (const auto& list : forces)
-    if (list.size() != spheres)
-      throw pfv::InputError(fmt::format("forces on {} and on {} spheres cannot be of one case", spheres, list.size()));
+BoundedField extrapolate_field(std::span<const double> mesh_sizes, std::span<const std::vector<double>> fields,
+                               std::optional<double> order) {
+  if (fields.empty() || fields.size() != mesh_sizes.size())
+    throw pfv::InputError("fields and mesh sizes do not belong together");
+  const std::size_t size = fields.front().size();
+  for (const auto& field : fields)
+    if (field.size() != size)
+      throw pfv::InputError(fmt::format("{} and {} values cannot be of one case", size, field.size()));
 
-  BoundedForces result{std::vector<pfv::Vec3>(spheres), std::nullopt};
-  double errors = 0;
+  BoundedField result{std::vector<double>(size, std::numeric_limits<double>::quiet_NaN()), std::nullopt};
   double squares = 0;
-  const bool bounded = forces.size() > 1 && order.has_value();
-  std::vector<Sample> samples(forces.size());
-  for (std::size_t sphere = 0; sphere < spheres; ++sphere) {
-    for (int axis = 0; axis < 3; ++axis) {
-      for (std::size_t mesh = 0; mesh < forces.size(); ++mesh)
-        samples[mesh] = {mesh_sizes[mesh], forces[mesh][sphere][axis]};
-      const Bounded component = extrapolate(samples, order);
-      result.values[sphere][axis] = component.value;
-      squares += component.value * component.value;
-      errors += component.error ? *component.error * *component.error : 0;
-    }
+  std::size_t known = 0;
+  std::vector<Sample> samples(fields.size());
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t mesh = 0; mesh < fields.size(); ++mesh)
+      samples[mesh] = {mesh_sizes[mesh], fields[mesh][i]};
+    if (std::ranges::any_of(samples, [](const Sample& sample) { return std::isnan(sample.value); }))
+      continue;
+    const Bounded value = extrapolate(samples, order);
+    result.values[i] = value.value;
+    squares += value.error ? *value.error * *value.error : 0;
+    ++known;
   }
-  if (bounded && squares > 0)
-    result.relative_error = std::sqrt(errors / squares);
+  if (fields.size() > 1 && order && known > 0)
+    result.error = std::sqrt(squares / static_cast<double>(known));
   return result;
 }
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "pfv/problem/vec3.hpp"
-
 #include <optional>
 #include <span>
 #include <string>
@@ -35,14 +33,14 @@ inline constexpr double extrapolation_safety = 1.25;
 /// the finest value as it is, without an error. Throws pfv::InputError without samples or with two of one mesh size.
 Bounded extrapolate(std::vector<Sample> samples, std::optional<double> order);
 
-/// Vectors with one half width for all of them: the same root mean square scale as `rms_difference`.
-struct BoundedForces {
-  std::vector<pfv::Vec3> values;        // N per sphere
-  std::optional<double> relative_error; // sqrt(sum |error|^2 / sum |value|^2)
+/// Many values of one kind with one half width for all of them.
+struct BoundedField {
+  std::vector<double> values;  // NaN where unknown
+  std::optional<double> error; // root mean square of the half widths of all that is known
 };
 
-/// As extrapolate, component by component. All lists of one length, else pfv::InputError.
-BoundedForces extrapolate_forces(std::span<const double> mesh_sizes, std::span<const std::vector<pfv::Vec3>> forces,
-                                 std::optional<double> order);
+/// As extrapolate, value by value; what is NaN on one mesh is unknown. All lists of one length, else pfv::InputError.
+BoundedField extrapolate_field(std::span<const double> mesh_sizes, std::span<const std::vector<double>> fields,
+                               std::optional<double> order);
 
 } // namespace studies

@@ -16,7 +16,10 @@ struct Finding {
   std::string method;
   std::vector<Row> rows; // coarse to fine, answered or not, at least one
   std::optional<Bounded> permeability;
-  std::optional<BoundedForces> forces;
+  std::optional<BoundedField> forces = {};         // N, x y z sphere by sphere
+  std::optional<BoundedField> pore_pressures = {}; // Pa, at the centres of PFV's pores
+  std::optional<BoundedField> throat_fluxes = {};  // m^3/s, through PFV's throats
+  std::optional<double> pressure_drop = {};        // Pa, over the box, for pressures to be compared with
 
   /// The finest run that answered, else the finest: size and cost are told of this one.
   const Row& told() const;
@@ -25,8 +28,8 @@ struct Finding {
   std::string trouble() const;
 };
 
-/// Extrapolates the answered runs of one case and method (rows in any order, at least one). Forces come from the
-/// answers in `answers`, absent when a run's answer has none or is not there.
+/// Extrapolates the answered runs of one case and method (rows in any order, at least one). Forces and
+/// samples come from the answers in `answers`, absent when a run's answer has none or is not there.
 Finding find(std::vector<Row> rows, const std::filesystem::path& answers);
 
 /// Where the answer of a run is stored.

@@ -59,13 +59,19 @@ Table result_table(const Study& study, std::span<const Result> results) {
                {"dofs", true},
                {"k [m²]", true},
                {"k difference", true},
-               {"force difference", true},
-               {"mesh s", true},
-               {"once s", true},
-               {"solve s", true},
-               {"memory", true},
-               {"outcome"}},
+               {"force difference", true}},
               {}};
+  const auto has = [&](auto member) {
+    return std::ranges::any_of(results, [&](const Result& result) { return (result.comparison.*member).has_value(); });
+  };
+  const bool pressures = has(&Comparison::pressures), fluxes = has(&Comparison::fluxes);
+  if (pressures)
+    table.columns.push_back({"pressure difference", true});
+  if (fluxes)
+    table.columns.push_back({"throat flux difference", true});
+  for (const char* title : {"mesh s", "once s", "solve s", "memory"})
+    table.columns.push_back({title, true});
+  table.columns.push_back({"outcome"});
   const bool published = has_published(study);
   if (published)
     for (const char* title : {"published dofs", "published s"})
@@ -78,14 +84,16 @@ Table result_table(const Study& study, std::span<const Result> results) {
     const auto& k = result.finding.permeability;
     const Cost split = cost(row.stages);
     std::vector<std::string> cells{one.label, fmt::format("{}", row.spheres), row.method};
-    const std::vector<std::string> figures{count(static_cast<double>(row.unknowns)),
-                                           k ? with_error(k->value, k->error) : "n.a.",
-                                           difference_cell(result.comparison.permeability, true),
-                                           difference_cell(result.comparison.forces, false),
-                                           seconds(split.mesh),
-                                           seconds(split.once),
-                                           seconds(split.solve),
-                                           bytes(static_cast<double>(row.memory_bytes))};
+    std::vector<std::string> figures{
+        count(static_cast<double>(row.unknowns)), k ? with_error(k->value, k->error) : "n.a.",
+        difference_cell(result.comparison.permeability, true), difference_cell(result.comparison.forces, false)};
+    if (pressures)
+      figures.push_back(difference_cell(result.comparison.pressures, false));
+    if (fluxes)
+      figures.push_back(difference_cell(result.comparison.fluxes, false));
+    for (const double stage : {split.mesh, split.once, split.solve})
+      figures.push_back(seconds(stage));
+    figures.push_back(bytes(static_cast<double>(row.memory_bytes)));
     for (const std::string& figure : figures)
       cells.push_back(answered ? figure : "");
     cells.push_back(outcome_cell(result));

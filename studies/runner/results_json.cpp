@@ -44,6 +44,8 @@ json written(const Result& result) {
               {"permeability_m2", written(finding.permeability)},
               {"permeability_difference", written(result.comparison.permeability)},
               {"rms_force_difference", written(result.comparison.forces)},
+              {"rms_pore_pressure_difference", written(result.comparison.pressures)},
+              {"rms_throat_flux_difference", written(result.comparison.fluxes)},
               {"cpu_s", {{"mesh", split.mesh}, {"once", split.once}, {"solve", split.solve}}},
               {"memory_bytes", row.memory_bytes},
               {"keys", json::array()}};

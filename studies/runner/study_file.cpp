@@ -78,10 +78,11 @@ Budget read_budget(const toml::table& table) {
 }
 
 Tolerance read_tolerance(const toml::table& table) {
-  pfv::allow_keys(table, "[tolerance]", {"permeability", "forces"});
+  pfv::allow_keys(table, "[tolerance]", {"permeability", "forces", "pressures"});
   Tolerance tolerance;
   if_present(table, "permeability", [&](auto& node) { tolerance.permeability = as_positive(node, "permeability"); });
   if_present(table, "forces", [&](auto& node) { tolerance.forces = as_positive(node, "forces"); });
+  if_present(table, "pressures", [&](auto& node) { tolerance.pressures = as_positive(node, "pressures"); });
   return tolerance;
 }
 

@@ -70,8 +70,8 @@ TEST(Compare, WithoutAnErrorBarOfTheReferenceNothingIsUnresolved) {
 TEST(Compare, OneQuantityThatDiffersIsEnough) {
   Finding reference = finding(reference_name, 2, 0.01);
   Finding other = finding("m", 2, 0.01);
-  reference.forces = studies::BoundedForces{{{0, 0, 1}, {0, 0, 2}}, 0.001};
-  other.forces = studies::BoundedForces{{{0, 0, 2}, {0, 0, 1}}, 0.001};
+  reference.forces = studies::BoundedField{{0, 0, 1, 0, 0, 2}, 0.001};
+  other.forces = studies::BoundedField{{0, 0, 2, 0, 0, 1}, 0.001};
   const auto comparison = compare(other, reference_name, &reference, {});
   EXPECT_EQ(comparison.outcome, Outcome::differs);
   EXPECT_NEAR(comparison.forces->value, std::sqrt(2.0 / 5.0), 1e-14);
@@ -114,12 +114,34 @@ TEST(Compare, NoQuantityInCommonIsNotCovered) {
   EXPECT_EQ(compare(other, reference_name, &reference, {}).outcome, Outcome::not_covered);
 }
 
-TEST(RmsDifference, IsZeroForTheSameAndOneForNothing) {
-  const std::vector<pfv::Vec3> forces{{1, 2, 3}, {-1, 0, 4}};
-  const std::vector<pfv::Vec3> none(2, pfv::Vec3::Zero());
-  EXPECT_EQ(studies::rms_difference(forces, forces), 0);
-  EXPECT_DOUBLE_EQ(studies::rms_difference(none, forces), 1);
-  EXPECT_THROW(studies::rms_difference(forces, {}), pfv::InputError);
+TEST(Compare, PorePressuresAreMeasuredByTheDrop) {
+  Finding reference = finding(reference_name, 2, 0.01);
+  Finding other = finding("m", 2, 0.01);
+  const double unknown = std::nan("");
+  reference.pore_pressures = studies::BoundedField{{1, unknown, 3}, 0.2};
+  other.pore_pressures = studies::BoundedField{{2, 5, 3}, 0.2};
+  reference.pressure_drop = 10;
+  const auto comparison = compare(other, reference_name, &reference, {.pressures = 0.01});
+  EXPECT_NEAR(comparison.pressures->value, std::sqrt(0.5) / 10, 1e-14);
+  EXPECT_NEAR(*comparison.pressures->reference_error, 0.02, 1e-14);
+  EXPECT_EQ(comparison.outcome, Outcome::differs);
+}
+
+TEST(Compare, ThroatFluxesAreToldAndNotJudged) {
+  Finding reference = finding(reference_name, 2, 0.01);
+  Finding other = finding("m", 2, 0.01);
+  reference.throat_fluxes = studies::BoundedField{{3, 4}, 0.1};
+  other.throat_fluxes = studies::BoundedField{{4, 3}, {}};
+  const auto comparison = compare(other, reference_name, &reference, {});
+  EXPECT_NEAR(comparison.fluxes->value, std::sqrt(2. / 25), 1e-14);
+  EXPECT_EQ(comparison.outcome, Outcome::agrees);
+}
+
+TEST(RmsDifference, IsZeroForTheSameAndSkipsWhatIsUnknown) {
+  const std::vector<double> values{1, 2, std::nan(""), -4};
+  EXPECT_EQ(studies::rms_difference(values, values), 0);
+  EXPECT_DOUBLE_EQ(studies::rms(values), std::sqrt(7.0));
+  EXPECT_THROW(studies::rms_difference(values, {}), pfv::InputError);
 }
 
 TEST(Finding, IsToldOfTheFinestRunThatAnswered) {

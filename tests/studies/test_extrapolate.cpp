@@ -68,22 +68,34 @@ TEST(Extrapolate, RefusesNothingAndTheSameMeshTwice) {
   EXPECT_THROW(extrapolate({{1.0, 5}, {1.0, 5}}, 2), pfv::InputError);
 }
 
-TEST(ExtrapolateForces, TreatsEveryComponentAsANumber) {
-  const pfv::Vec3 truth(1, -2, 0.5);
-  const pfv::Vec3 slope(0.1, 0.2, -0.3);
-  const auto at = [&](double h) { return std::vector<pfv::Vec3>{truth + slope * h * h, 2 * truth}; };
+TEST(ExtrapolateField, TreatsEveryValueAsANumber) {
+  const std::vector<double> truth{1, -2, 0.5}, slope{0.1, 0.2, -0.3};
+  const auto at = [&](double h) {
+    std::vector<double> values(3);
+    for (std::size_t i = 0; i < 3; ++i)
+      values[i] = truth[i] + slope[i] * h * h;
+    return values;
+  };
   const std::vector mesh_sizes{1.4, 1.0};
-  const std::vector forces{at(1.4), at(1.0)};
-  const auto bounded = studies::extrapolate_forces(mesh_sizes, forces, 2);
-  EXPECT_LT((bounded.values[0] - truth).norm(), 1e-13);
-  EXPECT_LT((bounded.values[1] - 2 * truth).norm(), 1e-13);
-  EXPECT_NEAR(bounded.relative_error.value(), 1.25 * slope.norm() / std::sqrt(5 * truth.squaredNorm()), 1e-13);
+  const std::vector fields{at(1.4), at(1.0)};
+  const auto bounded = studies::extrapolate_field(mesh_sizes, fields, 2);
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_NEAR(bounded.values[i], truth[i], 1e-13);
+  EXPECT_NEAR(bounded.error.value(), 1.25 * std::sqrt(0.14 / 3), 1e-13);
 }
 
-TEST(ExtrapolateForces, RefusesListsOfDifferentPackings) {
+TEST(ExtrapolateField, WhatOneMeshDoesNotKnowIsUnknown) {
   const std::vector mesh_sizes{1.4, 1.0};
-  const std::vector<std::vector<pfv::Vec3>> forces{{{0, 0, 1}}, {{0, 0, 1}, {0, 0, 1}}};
-  EXPECT_THROW(studies::extrapolate_forces(mesh_sizes, forces, 2), pfv::InputError);
+  const std::vector<std::vector<double>> fields{{1, std::nan("")}, {1, 2}};
+  const auto bounded = studies::extrapolate_field(mesh_sizes, fields, 2);
+  EXPECT_EQ(bounded.values[0], 1);
+  EXPECT_TRUE(std::isnan(bounded.values[1]));
+}
+
+TEST(ExtrapolateField, RefusesListsOfDifferentPackings) {
+  const std::vector mesh_sizes{1.4, 1.0};
+  const std::vector<std::vector<double>> fields{{1}, {1, 2}};
+  EXPECT_THROW(studies::extrapolate_field(mesh_sizes, fields, 2), pfv::InputError);
 }
 
 } // namespace

@@ -79,7 +79,7 @@ TEST(StudyFile, RefusesUnknownKeysNamingTheValidOnes) {
   expect_refused("mesh_sizes = [2", "mesh_size = 1\nmesh_sizes = [2", {"mesh_size", "quick_mesh_sizes"});
   expect_refused("quick = true", "quik = true", {"quik", "quick", "packing"});
   expect_refused("[[method]]", "[budget]\nseconds = 1\n[[method]]", {"seconds", "cpu_seconds", "memory_bytes"});
-  expect_refused("[[method]]", "[tolerance]\nforce = 1\n[[method]]", {"force", "permeability, forces"});
+  expect_refused("[[method]]", "[tolerance]\nforce = 1\n[[method]]", {"force", "permeability, forces, pressures"});
   expect_refused("[[method]]", "[scaling]\nunit = 1\n[[method]]", {"unit", "compared_with", "unit_stage"});
   expect_refused("quick = true", "published = [{ dofs = 1 }]", {"dofs", "unknowns"});
 }
