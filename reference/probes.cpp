@@ -1,5 +1,7 @@
 #include "reference/probes.hpp"
 
+#include <algorithm>
+
 namespace reference {
 
 namespace {
@@ -70,6 +72,12 @@ PoreProbes pore_probes(const pfv::Case& problem, const pfv::PoreNetwork& network
 PoreProbes pore_probes(const pfv::Case& problem) {
   pfv::Clock clock;
   return pore_probes(problem, build_pore_network(problem.packing, periodic_axes(problem.faces), clock));
+}
+
+bool in_solid(const pfv::Packing& packing, const Vec3& point) {
+  return std::ranges::any_of(packing.spheres, [&](const pfv::Sphere& sphere) {
+    return (point - sphere.centre).squaredNorm() < sphere.radius * sphere.radius;
+  });
 }
 
 } // namespace reference

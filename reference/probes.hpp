@@ -30,4 +30,7 @@ struct PoreProbes {
 PoreProbes pore_probes(const pfv::Case& problem);
 PoreProbes pore_probes(const pfv::Case& problem, const pfv::PoreNetwork& network);
 
+/// Whether a point lies in a sphere; images are not looked at.
+bool in_solid(const pfv::Packing& packing, const pfv::Vec3& point);
+
 } // namespace reference

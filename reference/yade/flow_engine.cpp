@@ -31,11 +31,14 @@ pfv::Packing in_units(const pfv::Packing& packing, double length) {
   return scaled;
 }
 
-void write_question(const std::filesystem::path& folder, const pfv::Packing& packing,
+void write_question(const std::filesystem::path& folder, const pfv::Packing& packing, std::span<const pfv::Vec3> points,
                     const pfv::PermeabilitySetup& setup) {
   std::ofstream(folder / "question.json") << json{{"axis", pfv::index(setup.axis)}, {"solver", direct_solver}};
   std::ofstream file(folder / "packing.txt");
   pfv::write_packing(in_units(packing, setup.length), file);
+  std::ofstream places(folder / "points.txt");
+  for (const pfv::Vec3& point : points)
+    places << pfv::shortest((point - packing.box.lower) / setup.length, " ") << '\n';
   std::ofstream(folder / "flow_engine.py") << flow_engine_py;
 }
 
@@ -61,6 +64,8 @@ Reply parse(const json& object) {
     for (int i = 0; i < 3; ++i)
       reply.forces.back()[i] = finite(force.at(static_cast<std::size_t>(i)), "force on a sphere");
   }
+  for (const json& pressure : object.at("pressures"))
+    reply.pressures.push_back(pressure.is_number() ? pressure.get<double>() : std::nan(""));
   reply.first = iteration(object.at("first"));
   reply.repeated = iteration(object.at("repeated"));
   reply.memory_before = object.at("memory_before");
@@ -68,24 +73,27 @@ Reply parse(const json& object) {
   return reply;
 }
 
-Reply in_si(Reply reply, double length, double drop, double viscosity) {
+Reply in_si(Reply reply, double length, double outlet, double drop, double viscosity) {
   reply.flux_in *= drop * std::pow(length, 3) / viscosity;
   reply.flux_out *= drop * std::pow(length, 3) / viscosity;
   for (pfv::Vec3& force : reply.forces)
     force *= drop * length * length;
+  for (double& pressure : reply.pressures)
+    pressure = outlet + drop * pressure;
   return reply;
 }
 
 } // namespace
 
-Reply run_flow_engine(const pfv::Case& problem, double wall_limit) {
+Reply run_flow_engine(const pfv::Case& problem, std::span<const pfv::Vec3> points, double wall_limit) {
   const TemporaryFolder folder("yade");
   const auto setup = pfv::permeability_setup(problem).value();
-  write_question(folder.path(), problem.packing, setup);
+  write_question(folder.path(), problem.packing, points, setup);
+  const auto& outlet = problem.faces[static_cast<std::size_t>(index(pfv::lower_face(setup.axis)))];
   run_script(folder.path(), "flow_engine.py", wall_limit);
   try {
     return in_si(parse(json::parse(pfv::read_text(folder.path() / "reply.json"))), setup.length,
-                 setup.pressure_drop.value(), problem.fluid.viscosity);
+                 std::get<pfv::Pressure>(outlet).value, setup.pressure_drop.value(), problem.fluid.viscosity);
   } catch (const pfv::InputError& error) {
     throw pfv::SolveError(fmt::format("yade left no reply: {}", error.what()));
   } catch (const json::exception& error) {

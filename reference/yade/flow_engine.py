@@ -35,6 +35,11 @@ def read_packing():
     return box, spheres
 
 
+def read_points():
+    with open("points.txt") as points:
+        return [[float(word) for word in line.split()] for line in points]
+
+
 def iteration(flow):
     """CPU seconds of one call, shared out by the engine's own timers."""
     flow.timingDeltas.reset()
@@ -86,6 +91,7 @@ def main():
         "flux_out": finite(flow.getBoundaryFlux(walls[lower])),
         "flux_in": finite(-flow.getBoundaryFlux(walls[lower + 1])),
         "forces": [[finite(part) for part in flow.fluidForce(i)] for i in ids],
+        "pressures": [finite(flow.getPorePressure(point)) for point in read_points()],
         "first": first,
         "repeated": repeated,
         "memory_before": before,

@@ -29,6 +29,15 @@ void add_stages(const Reply& reply, pfv::Clock& clock) {
   clock.add(repeat_prefix + "forces", reply.repeated.network + reply.repeated.forces);
 }
 
+// FlowEngine knows cells, not where in them there is a sphere.
+std::vector<double> of_void(std::vector<double> pressures, const pfv::Packing& packing,
+                            const std::vector<pfv::Vec3>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (in_solid(packing, points[i]))
+      pressures[i] = std::nan("");
+  return pressures;
+}
+
 class Yade final : public Method {
 public:
   std::string name() const override { return "yade"; }
@@ -40,14 +49,14 @@ public:
   std::optional<std::string> not_covered(const pfv::Case& problem) const override { return beyond_limits(problem); }
   Estimate estimate(const pfv::Case& problem, const Request&) const override { return expected_cost(problem); }
 
-  Answer solve(const pfv::Case& problem, const Request&, pfv::Clock& clock) const override {
+  Answer solve(const pfv::Case& problem, const Request& request, pfv::Clock& clock) const override {
     if (const auto reason = unavailable())
       throw pfv::SolveError("yade is unavailable: " + *reason);
     if (const auto reason = not_covered(problem))
       throw pfv::SolveError("yade does not cover this case: " + *reason);
     // Starting up can take a minute when nothing of it is in memory yet.
     const double wall_limit = 120 + 20 * expected_cost(problem).cpu_seconds;
-    const Reply reply = run_flow_engine(problem, wall_limit);
+    const Reply reply = run_flow_engine(problem, request.probes.points, wall_limit);
     const auto setup = *pfv::permeability_setup(problem);
     const double imbalance = std::abs(reply.flux_in / reply.flux_out - 1);
     if (!(imbalance < largest_imbalance))
@@ -63,6 +72,8 @@ public:
     const double flux = (reply.flux_in + reply.flux_out) / 2;
     answer.permeability = problem.fluid.viscosity * flux * setup.length / (setup.area * *setup.pressure_drop);
     answer.sphere_forces = reply.forces;
+    if (!request.probes.points.empty())
+      answer.point_pressures = of_void(reply.pressures, problem.packing, request.probes.points);
     answer.stages = clock.stages();
     answer.counts = {{"cells", static_cast<double>(reply.cells)},
                      {"flux_imbalance", imbalance},

@@ -2,6 +2,7 @@
 
 #include "pfv/problem/error.hpp"
 #include "pfv/problem/generate.hpp"
+#include "reference/pore_volumes/pore_volumes.hpp"
 #include "reference/yade/program.hpp"
 #include "support/message_of.hpp"
 #include "support/temporary_file.hpp"
@@ -118,6 +119,28 @@ TEST_F(Yade, GivesTheStoredPermeabilityAndForces) {
   ASSERT_EQ(stored.size(), problem.packing.spheres.size());
   for (std::size_t k = 0; k < stored.size(); ++k)
     EXPECT_NEAR(((*found.sphere_forces)[k] - stored[k]).norm(), 0, 1e-9) << k;
+}
+
+// The two differ by what they do at walls: in conductances, and in that it fixes the pressure of all cells there.
+TEST_F(Yade, GivesThePressuresOfPoresNearlyAsPoreVolumesDo) {
+  auto problem = flow_through_file("g200");
+  problem.faces = pfv::flow_along(pfv::Axis::y, -40);
+  problem.faces[2] = pfv::Pressure{100};
+  problem.faces[3] = pfv::Pressure{60};
+  const auto [probes, lines] = pore_probes(problem);
+  pfv::Clock clock;
+  const auto found = *method_->solve(problem, {.probes = probes}, clock).point_pressures;
+  const auto ours = *make_pore_volumes()->solve(problem, {.probes = probes}, clock).point_pressures;
+  ASSERT_EQ(found.size(), probes.points.size());
+  double squares = 0;
+  std::size_t known = 0;
+  for (std::size_t i = 0; i < lines; ++i)
+    if (std::isfinite(found[i])) {
+      squares += std::pow(found[i] - ours[i], 2);
+      ++known;
+    }
+  EXPECT_GT(known, lines / 2);
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(known)), 0.05 * 40);
 }
 
 TEST_F(Yade, TimesTheFirstIterationAndARepeatedOne) {
