@@ -92,7 +92,7 @@ double distance_from(const std::string& surface, const meshing::LinearMesh& mesh
 
 TEST_P(KnownVoid, IsMeshedAndNamedWhole) {
   const auto& [name, packing, bridge_count, bounds] = GetParam();
-  const auto bridges = meshing::contact_bridges(packing, 0.2);
+  const auto bridges = meshing::contact_bridges(packing, meshing::MeshSettings{}.bridge_radius);
   ASSERT_EQ(bridges.size(), bridge_count);
   std::set<std::string> expected{pfv::face_names.begin(), pfv::face_names.end()};
   for (std::size_t k = 0; k < packing.spheres.size(); ++k)
