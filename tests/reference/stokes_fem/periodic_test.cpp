@@ -53,7 +53,8 @@ pfv::Case lattice(Lattice kind, double solid_fraction, const pfv::PeriodicAxes& 
   problem.faces = pfv::flow_along(Axis::z, 1, periodic, problem.packing.box);
   for (pfv::Sphere& sphere : problem.packing.spheres)
     for (int axis = 0; axis < 3; ++axis)
-      sphere.centre[axis] = std::fmod(sphere.centre[axis] + shift[axis], 1);
+      if (periodic[static_cast<std::size_t>(axis)])
+        sphere.centre[axis] = std::fmod(sphere.centre[axis] + shift[axis], 1);
   return problem;
 }
 
@@ -111,7 +112,7 @@ TEST_P(PeriodicLattice, IsTheOneBetweenItsPlanesOfSymmetry) {
   EXPECT_NEAR(*answer.permeability / *mirrored.permeability, 1, 0.01);
   EXPECT_NEAR(*answer.porosity / *mirrored.porosity, 1, 0.002);
   EXPECT_NEAR(answer.face_flux[4] / *answer.permeability, 1, 0.01); // unit box, viscosity and drop
-  EXPECT_EQ(answer.face_flux[4], -answer.face_flux[5]);
+  EXPECT_NEAR(answer.face_flux[4] / -answer.face_flux[5], 1, 1e-9);
   // The drop over the box, and each sphere the same part of it.
   const auto& forces = *answer.sphere_forces;
   ASSERT_EQ(forces.size(), problem.packing.spheres.size());
