@@ -113,10 +113,11 @@ TEST_P(PeriodicLattice, IsTheOneBetweenItsPlanesOfSymmetry) {
   EXPECT_NEAR(*answer.porosity / *mirrored.porosity, 1, 0.002);
   EXPECT_NEAR(answer.face_flux[4] / *answer.permeability, 1, 0.01); // unit box, viscosity and drop
   EXPECT_NEAR(answer.face_flux[4] / -answer.face_flux[5], 1, 1e-9);
-  // The drop over the box, and each sphere the same part of it.
+  // The drop over the box, exact but for the coarse mesh of bridges' ends, and each sphere the same part of it.
   const auto& forces = *answer.sphere_forces;
   ASSERT_EQ(forces.size(), problem.packing.spheres.size());
-  EXPECT_LT((sum(forces) - Vec3(0, 0, -1)).norm(), 1e-3);
+  const bool has_bridges = answer.counts.at("bridges") > 0;
+  EXPECT_LT((sum(forces) - Vec3(0, 0, -1)).norm(), has_bridges ? 3e-3 : 1e-6);
   for (const Vec3& force : forces)
     EXPECT_LT((force * static_cast<double>(forces.size()) - Vec3(0, 0, -1)).norm(), 0.02);
 }
