@@ -1,10 +1,12 @@
 #include "meshing/contact_bridges.hpp"
 
+#include "meshing/periodic_images.hpp"
 #include "pfv/problem/face.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace meshing {
 
@@ -27,10 +29,20 @@ bool needs_bridge(double distance, double radius_1, double radius_2, double brid
   return between_centres && radius_1 * radius_1 - offset * offset < bridge * bridge;
 }
 
+/// One of any two opposite directions: images of a bridge, which begin at either sphere, are then drawn alike.
+bool points_backwards(const pfv::Vec3& direction) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::abs(direction[axis]) > 1e-6)
+      return direction[axis] < 0;
+  return false;
+}
+
 } // namespace
 
-std::vector<Bridge> contact_bridges(const pfv::Packing& packing, double bridge_radius) {
+std::vector<Bridge> contact_bridges(const pfv::Packing& packing, double bridge_radius,
+                                    const pfv::PeriodicAxes& periodic) {
   const auto& spheres = packing.spheres;
+  const bool repeats = periodic != pfv::PeriodicAxes{};
   std::vector<Bridge> bridges;
   for (std::size_t i = 0; i < spheres.size(); ++i)
     for (std::size_t j = i + 1; j < spheres.size(); ++j) {
@@ -39,11 +51,20 @@ std::vector<Bridge> contact_bridges(const pfv::Packing& packing, double bridge_r
       if (!needs_bridge(distance, spheres[i].radius, spheres[j].radius, radius))
         continue;
       const pfv::Vec3 direction = (spheres[j].centre - spheres[i].centre) / distance;
-      bridges.push_back({fmt::format("bridge_{}_{}", i, j), spheres[i].centre + start * spheres[i].radius * direction,
-                         spheres[j].centre - start * spheres[j].radius * direction, radius});
+      const pfv::Vec3 contact =
+          (spheres[i].centre + spheres[i].radius * direction + spheres[j].centre - spheres[j].radius * direction) / 2;
+      if (distance_to_box(packing.box, contact) > radius)
+        continue;
+      Bridge& bridge = bridges.emplace_back(fmt::format("bridge_{}_{}", i, j),
+                                            spheres[i].centre + start * spheres[i].radius * direction,
+                                            spheres[j].centre - start * spheres[j].radius * direction, radius);
+      if (repeats && points_backwards(direction))
+        std::swap(bridge.from, bridge.to);
     }
   for (std::size_t k = 0; k < spheres.size(); ++k)
     for (const pfv::Face face : pfv::all_faces) {
+      if (periodic[static_cast<std::size_t>(pfv::index(pfv::axis_of(face)))])
+        continue;
       const auto& [centre, r] = spheres[k];
       const pfv::Vec3 normal = pfv::outward_normal(face);
       const pfv::Vec3& corner = pfv::is_upper(face) ? packing.box.upper : packing.box.lower;

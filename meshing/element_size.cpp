@@ -1,5 +1,6 @@
 #include "meshing/element_size.hpp"
 
+#include "meshing/periodic_images.hpp"
 #include "pfv/problem/face.hpp"
 
 #include <algorithm>
@@ -11,12 +12,16 @@ namespace meshing {
 
 namespace {
 
-/// The spheres and their images in the six faces; an image that falls on its own sphere is the same surface.
-std::vector<pfv::Sphere> with_mirror_images(const pfv::Packing& packing) {
-  std::vector<pfv::Sphere> surfaces = packing.spheres;
-  for (const auto& [centre, radius] : packing.spheres)
+/// The spheres, their periodic images and the images of all these in the other faces; an image that falls on its own
+/// sphere is the same surface.
+std::vector<pfv::Sphere> surfaces_of(const pfv::Packing& packing, const pfv::PeriodicAxes& periodic) {
+  std::vector<pfv::Sphere> surfaces = all_images(packing, periodic);
+  const std::vector<pfv::Sphere> spheres = surfaces;
+  for (const auto& [centre, radius] : spheres)
     for (const pfv::Face face : pfv::all_faces) {
       const int axis = pfv::index(pfv::axis_of(face));
+      if (periodic[static_cast<std::size_t>(axis)])
+        continue;
       const double plane = (pfv::is_upper(face) ? packing.box.upper : packing.box.lower)[axis];
       if (std::abs(plane - centre[axis]) < 1e-6 * radius)
         continue;
@@ -33,9 +38,10 @@ double distance_to(const pfv::Sphere& surface, const pfv::Vec3& point) {
 
 } // namespace
 
-ElementSize::ElementSize(const pfv::Packing& packing, double mesh_size, double bridge_radius)
-    : mesh_size_(mesh_size), highest_floor_(std::min(contact, bridge_radius / mesh_size)), lower_(packing.box.lower),
-      surfaces_(with_mirror_images(packing)) {
+ElementSize::ElementSize(const pfv::Packing& packing, double mesh_size, double bridge_radius,
+                         const pfv::PeriodicAxes& periodic)
+    : mesh_size_(mesh_size), highest_floor_(std::min(contact, rim * bridge_radius / mesh_size)),
+      lower_(packing.box.lower), surfaces_(surfaces_of(packing, periodic)) {
   const double spacing = std::cbrt(packing.box.volume() / (8.0 * static_cast<double>(packing.spheres.size())));
   for (int a = 0; a < 3; ++a) {
     cells_[a] = std::clamp(static_cast<int>(packing.box.size()[a] / spacing), 1, 64);

@@ -81,10 +81,11 @@ private:
 
 } // namespace
 
-std::string mesh_key(const pfv::Packing& packing, const MeshSettings& settings, const std::string& mesher) {
+std::string mesh_key(const pfv::Packing& packing, const MeshSettings& settings, const std::string& mesher,
+                     const pfv::PeriodicAxes& periodic) {
   pfv::Case geometry;
   geometry.packing = packing;
-  geometry.faces = pfv::flow_along(pfv::Axis::z);
+  geometry.faces = pfv::flow_along(pfv::Axis::z, 1, periodic, packing.box);
   const std::string text =
       fmt::format("{} {:a} {:a} {}", pfv::digest(geometry), settings.mesh_size, settings.bridge_radius, mesher);
   const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());

@@ -10,8 +10,9 @@
 namespace meshing {
 
 /// 32 hexadecimal digits of what a mesh depends on: packing, settings and mesher. Fluid and face conditions are not
-/// part of it, so all questions about one packing share a mesh.
-std::string mesh_key(const pfv::Packing& packing, const MeshSettings& settings, const std::string& mesher);
+/// part of it, but for which of these are periodic, so all questions about one packing share a mesh.
+std::string mesh_key(const pfv::Packing& packing, const MeshSettings& settings, const std::string& mesher,
+                     const pfv::PeriodicAxes& periodic = {});
 
 /// Meshes in a folder, one folder each, complete or not there: an entry is written aside and renamed, and its mesh is
 /// checked against the size and checksum stored with it when it is taken.

@@ -74,11 +74,11 @@ const std::variant<Mesher, Missing>& look_for_mesher() {
   return found != known.end() ? found->second : known.emplace(program, ask_for_version(program)).first->second;
 }
 
-MeshCache::Made make_mesh(const Mesher& mesher, const pfv::Packing& packing, const MeshSettings& settings,
-                          const fs::path& folder) {
+MeshCache::Made make_mesh(const Mesher& mesher, const pfv::Packing& packing, const pfv::PeriodicAxes& periodic,
+                          const MeshSettings& settings, const fs::path& folder) {
   pfv::Case geometry;
   geometry.packing = packing;
-  geometry.faces = pfv::flow_along(pfv::Axis::z);
+  geometry.faces = pfv::flow_along(pfv::Axis::z, 1, periodic, packing.box);
   std::ofstream(folder / "case.toml") << pfv::to_toml(geometry);
   const fs::path log = folder / "mesher.log";
   const auto result =
@@ -102,11 +102,13 @@ VoidMesh void_mesh(const pfv::Case& problem, const MeshSettings& settings, const
     throw pfv::SolveError(missing->reason);
   const auto& mesher = std::get<Mesher>(found);
   const MeshCache cache(fs::absolute(cache_folder));
-  const std::string key = mesh_key(problem.packing, settings, mesher.version);
+  const pfv::PeriodicAxes periodic = periodic_axes(problem.faces);
+  const std::string key = mesh_key(problem.packing, settings, mesher.version, periodic);
   if (auto known = cache.find(key))
     return *known;
   try {
-    return cache.add(key, [&](const fs::path& folder) { return make_mesh(mesher, problem.packing, settings, folder); });
+    return cache.add(
+        key, [&](const fs::path& folder) { return make_mesh(mesher, problem.packing, periodic, settings, folder); });
   } catch (const pfv::SolveError&) {
     throw;
   } catch (const std::exception& error) { // of the file system, or of a mesher that did not write what it should

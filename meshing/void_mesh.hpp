@@ -10,9 +10,9 @@
 namespace meshing {
 
 struct MeshSettings {
-  double mesh_size = 1.0;     // scales every element length; 1 is the default, 2 twice as coarse
-  double bridge_radius = 0.2; // of the cylinders that replace contacts, in units of the smaller sphere radius
-  double wall_limit = 3600;   // s, after which the mesher is stopped; not part of the key
+  double mesh_size = 1.0;      // scales every element length; 1 is the default, 2 twice as coarse
+  double bridge_radius = 0.15; // of the cylinders that replace contacts, in units of the smaller sphere radius
+  double wall_limit = 3600;    // s, after which the mesher is stopped; not part of the key
 };
 
 /// A tetrahedral mesh of the void of a case's packing, in a file.
@@ -29,7 +29,8 @@ struct VoidMesh {
 /// Physical groups: volume `fluid`; surfaces `x_min` ... `z_max` (the parts of the box faces that bound fluid),
 /// `sphere_K` (K the 0-based index in the packing) and, where two spheres touch or nearly touch, `bridge_I_J` (I < J),
 /// where a sphere touches a wall, `bridge_K_x_min` and so on; a surface that bounds no fluid has no group. Element
-/// sizes follow the gap: small where two surfaces are near. Throws pfv::InputError on settings out of range,
+/// sizes follow the gap: small where two surfaces are near. In a periodic box K and J also count the images of
+/// with_images, and opposite faces have the same triangles. Throws pfv::InputError on settings out of range,
 /// pfv::SolveError with gmsh's own last words when it fails and with the reason when there is no mesher.
 VoidMesh void_mesh(const pfv::Case& problem, const MeshSettings& settings, const std::filesystem::path& cache_folder);
 

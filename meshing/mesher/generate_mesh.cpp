@@ -6,6 +6,7 @@
 #include "meshing/linear_mesh.hpp"
 #include "meshing/measure_mesh.hpp"
 #include "meshing/mesher/void_geometry.hpp"
+#include "meshing/periodic_faces.hpp"
 #include "pfv/problem/face.hpp"
 
 #include <algorithm>
@@ -124,20 +125,23 @@ void place_in_box(meshing::LinearMesh& mesh, const pfv::Box& box, double radius)
         }
 }
 
-Result mesh_once(const pfv::Packing& packing, double mesh_size, double bridge_radius, std::uint64_t attempt) {
+Result mesh_once(const pfv::Packing& packing, const pfv::PeriodicAxes& periodic, double mesh_size, double bridge_radius,
+                 std::uint64_t attempt) {
   double radius = 0; // mean
   for (const pfv::Sphere& sphere : packing.spheres)
     radius += sphere.radius / static_cast<double>(packing.spheres.size());
   const pfv::Packing scaled = in_radii(packing, radius);
-  const auto geometry = build_void(scaled, meshing::contact_bridges(scaled, bridge_radius), attempt);
-  const meshing::ElementSize size(scaled, mesh_size, bridge_radius);
+  const meshing::ImagedPacking imaged = meshing::with_images(scaled, periodic);
+  const auto geometry = build_void(imaged, meshing::contact_bridges(imaged.packing, bridge_radius, periodic), attempt);
+  const meshing::ElementSize size(scaled, mesh_size, bridge_radius, periodic);
   gmsh::model::mesh::setSizeCallback([&](int, int, double x, double y, double z) { return size(pfv::Vec3(x, y, z)); });
   gmsh::model::mesh::generate(3);
 
   Result result{meshing::without_dented_cells(mesh_of(geometry)), {}};
   place_in_box(result.mesh, packing.box, radius);
+  meshing::align_periodic_faces(result.mesh, packing.box, periodic, 1e-5 * radius);
   meshing::check(result.mesh);
-  result.quality = meshing::measure_mesh(result.mesh, packing);
+  result.quality = meshing::measure_mesh(result.mesh, meshing::with_images(packing, periodic).packing);
   result.quality.parts = geometry.volumes.size();
   result.quality.enclosed_parts = geometry.enclosed;
   return result;
@@ -145,14 +149,14 @@ Result mesh_once(const pfv::Packing& packing, double mesh_size, double bridge_ra
 
 } // namespace
 
-meshing::MeshQuality generate_mesh(const pfv::Packing& packing, double mesh_size, double bridge_radius,
-                                   const std::string& file) {
+meshing::MeshQuality generate_mesh(const pfv::Packing& packing, const pfv::PeriodicAxes& periodic, double mesh_size,
+                                   double bridge_radius, const std::string& file) {
   set_options();
   constexpr std::uint64_t attempts = 8;
   for (std::uint64_t attempt = 1;; ++attempt) {
     std::string reason;
     try {
-      const auto [mesh, quality] = mesh_once(packing, mesh_size, bridge_radius, attempt);
+      const auto [mesh, quality] = mesh_once(packing, periodic, mesh_size, bridge_radius, attempt);
       meshing::write_msh(mesh, file);
       return quality;
     } catch (const std::exception& error) {

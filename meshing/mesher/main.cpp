@@ -23,13 +23,14 @@ struct Options {
   std::string mesh;
   std::string quality;
   double mesh_size = 1;
-  double bridge_radius = 0.2;
+  double bridge_radius = 0.15;
 };
 
 void run(const Options& options) {
-  const pfv::Packing packing = pfv::read_case(options.problem).packing;
+  const pfv::Case problem = pfv::read_case(options.problem);
   gmsh::initialize();
-  const auto quality = mesher::generate_mesh(packing, options.mesh_size, options.bridge_radius, options.mesh);
+  const auto quality = mesher::generate_mesh(problem.packing, pfv::periodic_axes(problem.faces), options.mesh_size,
+                                             options.bridge_radius, options.mesh);
   gmsh::finalize();
   std::ofstream out(options.quality);
   out << meshing::to_json(quality) << '\n';

@@ -47,7 +47,7 @@ void add_where_planes_cut(const pfv::Sphere& sphere, const pfv::Box& box, Circle
   for (const pfv::Face face : pfv::all_faces) {
     const Vec3 normal = pfv::outward_normal(face);
     const double distance = normal.dot((pfv::is_upper(face) ? box.upper : box.lower) - sphere.centre);
-    if (distance < sphere.radius)
+    if (std::abs(distance) < sphere.radius)
       circles.push_back({normal, std::acos(distance / sphere.radius)});
   }
 }
@@ -175,21 +175,35 @@ double distance_to_faces(const meshing::Bridge& bridge, const Quaterniond& frame
   return least;
 }
 
-Quaterniond best_turn(const meshing::Bridge& bridge, const pfv::Packing& packing,
+/// Whether two bridges are the same one in different boxes.
+bool are_images(const meshing::Bridge& a, const meshing::Bridge& b, const meshing::ImagedPacking& imaged) {
+  Vec3 apart = b.from - a.from;
+  const Vec3 size = imaged.packing.box.size();
+  for (int axis = 0; axis < 3; ++axis)
+    if (imaged.periodic[static_cast<std::size_t>(axis)])
+      apart[axis] = std::remainder(apart[axis], size[axis]);
+  return apart.norm() < 1e-9 * a.radius && ((b.to - b.from) - (a.to - a.from)).norm() < 1e-9 * a.radius;
+}
+
+/// The turn of a bridge and of its images.
+Quaterniond best_turn(const std::vector<meshing::Bridge>& images, const pfv::Packing& packing,
                       const std::vector<Quaterniond>& spheres, Uniform& uniform) {
-  const Quaterniond frame = Quaterniond::FromTwoVectors(Vec3::UnitZ(), bridge.to - bridge.from);
+  const Quaterniond frame = Quaterniond::FromTwoVectors(Vec3::UnitZ(), images[0].to - images[0].from);
   std::vector<double> taken;
-  for (std::size_t k = 0; k < spheres.size(); ++k) {
-    const auto& sphere = packing.spheres[k];
-    if (std::min((sphere.centre - bridge.from).norm(), (sphere.centre - bridge.to).norm()) < sphere.radius)
-      add_seam_crossings(sphere, spheres[k], bridge, frame, taken);
-  }
+  for (const meshing::Bridge& bridge : images)
+    for (std::size_t k = 0; k < spheres.size(); ++k) {
+      const auto& sphere = packing.spheres[k];
+      if (std::min((sphere.centre - bridge.from).norm(), (sphere.centre - bridge.to).norm()) < sphere.radius)
+        add_seam_crossings(sphere, spheres[k], bridge, frame, taken);
+    }
   constexpr int draws = 100;
   const double start = 2 * pi * uniform();
   double best = start, widest = -1;
   for (int draw = 0; draw < draws; ++draw) {
     const double angle = start + 2 * pi * draw / draws;
-    double least = std::min(0.7, distance_to_faces(bridge, frame, angle, packing.box));
+    double least = 0.7;
+    for (const meshing::Bridge& bridge : images)
+      least = std::min(least, distance_to_faces(bridge, frame, angle, packing.box));
     for (const double other : taken)
       least = std::min(least, std::abs(std::remainder(angle - other, 2 * pi)));
     if (least > widest) {
@@ -202,13 +216,36 @@ Quaterniond best_turn(const meshing::Bridge& bridge, const pfv::Packing& packing
 
 } // namespace
 
-Turns turns_of_seams(const pfv::Packing& packing, const std::vector<meshing::Bridge>& bridges, std::uint64_t attempt) {
+Turns turns_of_seams(const meshing::ImagedPacking& imaged, const std::vector<meshing::Bridge>& bridges,
+                     std::uint64_t attempt) {
   Uniform uniform(attempt);
   Turns turns;
-  for (const Circles& circles : circles_on_spheres(packing, bridges))
-    turns.spheres.push_back(best_turn(circles, uniform));
-  for (const meshing::Bridge& bridge : bridges)
-    turns.bridges.push_back(best_turn(bridge, packing, turns.spheres, uniform));
+  const pfv::Packing& packing = imaged.packing;
+  std::vector<Circles> circles = circles_on_spheres(packing, bridges);
+  for (std::size_t k = 0; k < circles.size(); ++k)
+    if (Circles& of_original = circles[imaged.original[k]]; &of_original != &circles[k])
+      of_original.insert(of_original.end(), circles[k].begin(), circles[k].end());
+  for (std::size_t k = 0; k < circles.size(); ++k)
+    turns.spheres.push_back(imaged.original[k] == k ? best_turn(circles[k], uniform)
+                                                    : turns.spheres[imaged.original[k]]);
+  std::vector<bool> is_turned(bridges.size(), false);
+  turns.bridges.resize(bridges.size());
+  for (std::size_t b = 0; b < bridges.size(); ++b) {
+    if (is_turned[b])
+      continue;
+    std::vector<meshing::Bridge> images;
+    std::vector<std::size_t> alike;
+    for (std::size_t other = b; other < bridges.size(); ++other)
+      if (are_images(bridges[b], bridges[other], imaged)) {
+        images.push_back(bridges[other]);
+        alike.push_back(other);
+      }
+    const Quaterniond best = best_turn(images, packing, turns.spheres, uniform);
+    for (const std::size_t other : alike) {
+      turns.bridges[other] = best;
+      is_turned[other] = true;
+    }
+  }
   return turns;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshing/contact_bridges.hpp"
+#include "meshing/periodic_images.hpp"
 #include "pfv/problem/packing.hpp"
 
 #include <Eigen/Geometry>
@@ -20,7 +21,9 @@ struct Turns {
 /// Turns that keep seams and poles, which are edges and vertices of the solids though nothing is there to see, away
 /// from the circles where spheres meet bridges, box faces and each other, and from each other where they end on one
 /// circle: a seam that grazes a circle makes booleans fail and leaves slivers in the mesh. The best of many random
-/// turns for each; another `attempt` draws others, the same one always the same.
-Turns turns_of_seams(const pfv::Packing& packing, const std::vector<meshing::Bridge>& bridges, std::uint64_t attempt);
+/// turns for each; another `attempt` draws others, the same one always the same. Images are turned like
+/// their originals, away from what any of them meets, so that opposite faces are cut alike.
+Turns turns_of_seams(const meshing::ImagedPacking& imaged, const std::vector<meshing::Bridge>& bridges,
+                     std::uint64_t attempt);
 
 } // namespace mesher

@@ -23,10 +23,13 @@ void turn(int volume, const pfv::Vec3& about, const Eigen::Quaterniond& by) {
   occ::rotate({{3, volume}}, about.x(), about.y(), about.z(), axis.x(), axis.y(), axis.z(), rotation.angle());
 }
 
-gmsh::vectorpair add_spheres(const std::vector<pfv::Sphere>& spheres, const std::vector<Eigen::Quaterniond>& turns) {
+/// Those that reach into the box.
+gmsh::vectorpair add_spheres(const pfv::Packing& packing, const std::vector<Eigen::Quaterniond>& turns) {
   gmsh::vectorpair volumes;
-  for (std::size_t k = 0; k < spheres.size(); ++k) {
-    const auto& [centre, radius] = spheres[k];
+  for (std::size_t k = 0; k < packing.spheres.size(); ++k) {
+    const auto& [centre, radius] = packing.spheres[k];
+    if (meshing::distance_to_box(packing.box, centre) > (1 - 1e-6) * radius)
+      continue;
     const int volume = occ::addSphere(centre.x(), centre.y(), centre.z(), radius);
     turn(volume, centre, turns[k]);
     volumes.emplace_back(3, volume);
@@ -103,18 +106,57 @@ void check_volume(double volume, const pfv::Packing& packing, const std::vector<
     throw std::runtime_error(fmt::format("OpenCASCADE left a volume of {:g} where the void has {:g}", volume, exact));
 }
 
+struct SurfaceMeasure {
+  pfv::Vec3 centre;
+  double area;
+};
+
+SurfaceMeasure measure(int surface) {
+  SurfaceMeasure made{};
+  occ::getCenterOfMass(2, surface, made.centre.x(), made.centre.y(), made.centre.z());
+  occ::getMass(2, surface, made.area);
+  return made;
+}
+
+/// Tells gmsh to mesh the upper of two faces like the lower one. The geometry is in units of the mean radius.
+void make_periodic(const VoidGeometry& geometry, pfv::Axis axis, double length) {
+  constexpr double tolerance = 1e-5;
+  const auto tags = [&](pfv::Face face) {
+    const auto found = geometry.surfaces.find(std::string(pfv::face_names[static_cast<std::size_t>(pfv::index(face))]));
+    return found == geometry.surfaces.end() ? std::vector<int>{} : found->second;
+  };
+  const auto lower = tags(pfv::lower_face(axis));
+  const auto upper = tags(pfv::upper_face(axis));
+  const pfv::Vec3 shift = length * pfv::Vec3::Unit(pfv::index(axis));
+  const std::vector<double> translation{1, 0, 0, shift.x(), 0, 1, 0, shift.y(), 0, 0, 1, shift.z(), 0, 0, 0, 1};
+  std::size_t matched = 0;
+  for (const int master : lower)
+    for (const int slave : upper) {
+      const SurfaceMeasure a = measure(master);
+      const SurfaceMeasure b = measure(slave);
+      if ((b.centre - a.centre - shift).norm() > tolerance || std::abs(b.area - a.area) > tolerance)
+        continue;
+      gmsh::model::mesh::setPeriodic(2, {slave}, {master}, translation);
+      ++matched;
+    }
+  if (matched != lower.size() || matched != upper.size())
+    throw std::runtime_error(fmt::format("the {} surfaces on {} do not repeat on the opposite face", lower.size(),
+                                         pfv::face_names[static_cast<std::size_t>(pfv::index(pfv::lower_face(axis)))]));
+}
+
 } // namespace
 
-VoidGeometry build_void(const pfv::Packing& packing, const std::vector<meshing::Bridge>& bridges,
+VoidGeometry build_void(const meshing::ImagedPacking& imaged, const std::vector<meshing::Bridge>& bridges,
                         std::uint64_t attempt) {
   gmsh::clear();
   gmsh::model::add("void");
-  const Turns turns = turns_of_seams(packing, bridges, attempt);
+  const pfv::Packing& packing = imaged.packing;
+  const Turns turns = turns_of_seams(imaged, bridges, attempt);
   const pfv::Vec3& corner = packing.box.lower;
   const pfv::Vec3 size = packing.box.size();
   const gmsh::vectorpair box{{3, occ::addBox(corner.x(), corner.y(), corner.z(), size.x(), size.y(), size.z())}};
   // Bridges first: then no two spheres touch in what is left to cut.
-  const auto fluid = cut(cut(box, add_bridges(bridges, turns.bridges)), add_spheres(packing.spheres, turns.spheres));
+  const auto fluid = cut(cut(box, add_bridges(bridges, turns.bridges)), add_spheres(packing, turns.spheres));
   occ::synchronize();
   check_volume(volume_of(fluid), packing, bridges);
 
@@ -135,6 +177,9 @@ VoidGeometry build_void(const pfv::Packing& packing, const std::vector<meshing::
   }
   if (result.volumes.empty())
     throw std::runtime_error("no volume of fluid touches a face of the box");
+  for (const pfv::Axis axis : {pfv::Axis::x, pfv::Axis::y, pfv::Axis::z})
+    if (imaged.periodic[static_cast<std::size_t>(pfv::index(axis))])
+      make_periodic(result, axis, size[pfv::index(axis)]);
   return result;
 }
 

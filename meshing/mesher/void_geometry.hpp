@@ -1,7 +1,7 @@
 #pragma once
 
 #include "meshing/contact_bridges.hpp"
-#include "pfv/problem/packing.hpp"
+#include "meshing/periodic_images.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -19,9 +19,10 @@ struct VoidGeometry {
 };
 
 /// Builds box minus spheres minus bridges in a new gmsh model with OpenCASCADE and names every surface by the sphere,
-/// cylinder or plane it lies on. Each `attempt` turns the spheres another way. Throws std::runtime_error when a boolean
+/// cylinder or plane it lies on. Each `attempt` turns the spheres another way. Periodic faces get
+/// the same mesh. Throws std::runtime_error when a boolean
 /// fails, its volume is wrong, or a surface lies on none or on two, and gmsh's own exceptions (std::string, int).
-VoidGeometry build_void(const pfv::Packing& packing, const std::vector<meshing::Bridge>& bridges,
+VoidGeometry build_void(const meshing::ImagedPacking& imaged, const std::vector<meshing::Bridge>& bridges,
                         std::uint64_t attempt);
 
 } // namespace mesher

@@ -14,7 +14,9 @@ using pfv::Vec3;
 
 bool holds(const pfv::FaceCondition& condition, pfv::Face face, int component) {
   const bool normal = index(axis_of(face)) == component;
-  return std::holds_alternative<pfv::SlipWall>(condition) == normal;
+  if (const auto* open = std::get_if<pfv::Pressure>(&condition))
+    return !normal && open->tangential == pfv::Tangential::zero;
+  return normal && std::holds_alternative<pfv::SlipWall>(condition);
 }
 
 struct NodePieces {
@@ -47,11 +49,11 @@ int holder_of(const NodePieces& node, const pfv::FaceConditions& faces, int comp
 Boundary make_boundary(const Discretisation& space, const pfv::FaceConditions& faces) {
   Boundary boundary;
   boundary.labels = space.labels;
-  std::vector<NodePieces> pieces(space.velocity.n_dofs());
+  std::vector<NodePieces> pieces(space.velocity_nodes);
   for (const pfv::Face face : pfv::all_faces)
-    if (std::holds_alternative<pfv::Pressure>(faces[static_cast<std::size_t>(index(face))]))
+    if (!std::holds_alternative<pfv::SlipWall>(faces[static_cast<std::size_t>(index(face))]))
       boundary.face_weight[static_cast<std::size_t>(index(face))].setZero(
-          static_cast<Eigen::Index>(space.velocity.n_dofs()));
+          static_cast<Eigen::Index>(space.velocity_nodes));
 
   auto values = face_values(space, space.quadratic, value_flags);
   Dofs nodes(10);
@@ -65,7 +67,7 @@ Boundary make_boundary(const Discretisation& space, const pfv::FaceConditions& f
     if (weight.size() == 0)
       return;
     values.reinit(cell, face_number);
-    cell_of(space.velocity, cell)->get_dof_indices(nodes);
+    velocity_nodes(space, cell, nodes);
     for (unsigned i = 0; i < nodes.size(); ++i)
       for (const unsigned q : values.quadrature_point_indices())
         weight[static_cast<Eigen::Index>(nodes[i])] += values.shape_value(i, q) * values.JxW(q);
@@ -73,7 +75,8 @@ Boundary make_boundary(const Discretisation& space, const pfv::FaceConditions& f
 
   for (const pfv::Face face : pfv::all_faces) {
     const Eigen::VectorXd& weight = boundary.face_weight[static_cast<std::size_t>(index(face))];
-    if (weight.size() != 0 && !(weight.sum() > 0))
+    const bool open = std::holds_alternative<pfv::Pressure>(faces[static_cast<std::size_t>(index(face))]);
+    if (open && !(weight.sum() > 0))
       throw pfv::SolveError("the mesh has no surface on face " +
                             std::string(pfv::face_names[static_cast<std::size_t>(index(face))]) +
                             ", where a pressure is given");

@@ -22,6 +22,8 @@ void for_each_boundary_face(const Discretisation& space, const Visit& visit) {
 inline Dofs face_nodes(const Discretisation& space, const Cell& cell, unsigned face) {
   Dofs nodes(6);
   cell_of(space.velocity, cell)->face(face)->get_dof_indices(nodes);
+  for (auto& node : nodes)
+    node = space.velocity_node[node];
   return nodes;
 }
 

@@ -96,14 +96,47 @@ std::map<std::pair<unsigned, unsigned>, std::set<unsigned>> boundary_edges(const
   return ids;
 }
 
-void straighten(const Cell& cell, CurvedEdges& edges) {
+/// Moved edges that are images of each other, by the key of their vertices' numbers.
+class EdgeImages {
+public:
+  EdgeImages(const CurvedEdges& edges, const std::vector<unsigned>& vertex_number) : vertex_number_(vertex_number) {
+    for (const auto& [key, middle] : edges.middle)
+      images_.emplace(numbered(static_cast<unsigned>(key >> 32), static_cast<unsigned>(key)), key);
+  }
+
+  void straighten(unsigned a, unsigned b, CurvedEdges& edges) const {
+    const auto [begin, end] = images_.equal_range(numbered(a, b));
+    for (auto image = begin; image != end; ++image)
+      edges.middle.erase(image->second);
+  }
+
+  // An edge whose image could not be moved stays straight.
+  void straighten_unmatched(const Triangulation<3>& mesh, const CurvedEdges& moved, CurvedEdges& edges) const {
+    for (const auto& face : mesh.active_face_iterators())
+      for (unsigned v = 0; face->at_boundary() && v < 3; ++v) {
+        const unsigned a = face->vertex_index(v);
+        const unsigned b = face->vertex_index((v + 1) % 3);
+        if (!moved.middle.contains(edge_key(a, b)))
+          straighten(a, b, edges);
+      }
+  }
+
+private:
+  std::uint64_t numbered(unsigned a, unsigned b) const { return edge_key(vertex_number_[a], vertex_number_[b]); }
+
+  const std::vector<unsigned>& vertex_number_;
+  std::unordered_multimap<std::uint64_t, std::uint64_t> images_;
+};
+
+void straighten(const Cell& cell, const EdgeImages& images, CurvedEdges& edges) {
   for (const auto& [a, b] : edge_ends())
-    edges.middle.erase(edge_key(cell->vertex_index(a), cell->vertex_index(b)));
+    images.straighten(cell->vertex_index(a), cell->vertex_index(b), edges);
 }
 
 } // namespace
 
-CurvedEdges curve_edges(const Triangulation<3>& mesh, const SurfaceById& surface) {
+CurvedEdges curve_edges(const Triangulation<3>& mesh, const SurfaceById& surface,
+                        const std::vector<unsigned>& vertex_number) {
   CurvedEdges edges;
   for (const auto& [ends, ids] : boundary_edges(mesh)) {
     std::vector<ExactSurface> surfaces;
@@ -124,6 +157,8 @@ CurvedEdges curve_edges(const Triangulation<3>& mesh, const SurfaceById& surface
       edges.middle.emplace(edge_key(ends.first, ends.second), Point<3>((*middle)[0], (*middle)[1], (*middle)[2]));
   }
 
+  const EdgeImages images(edges, vertex_number);
+  images.straighten_unmatched(mesh, CurvedEdges(edges), edges);
   std::vector<Cell> curved;
   for (const auto& cell : mesh.active_cell_iterators())
     if (has_moved_edge(cell, edges))
@@ -133,7 +168,7 @@ CurvedEdges curve_edges(const Triangulation<3>& mesh, const SurfaceById& surface
     settled = true;
     for (const Cell& cell : curved)
       if (has_moved_edge(cell, edges) && is_folded(cell, edges)) {
-        straighten(cell, edges);
+        straighten(cell, images, edges);
         ++edges.straightened_cells;
         settled = false;
       }
@@ -156,6 +191,10 @@ std::unique_ptr<dealii::Mapping<3>> CurvedMapping::clone() const {
 
 bool CurvedMapping::is_curved(const Cell& cell) const {
   return edges_->cell_is_curved[cell->active_cell_index()];
+}
+
+std::vector<Point<3>> CurvedMapping::points(const Cell& cell) const {
+  return support_points(cell, *edges_);
 }
 
 std::vector<Point<3>> CurvedMapping::compute_mapping_support_points(const Cell& cell) const {

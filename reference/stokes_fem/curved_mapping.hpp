@@ -27,8 +27,10 @@ struct CurvedEdges {
 using SurfaceById = std::function<ExactSurface(unsigned)>;
 
 /// Puts the middle of every boundary edge on the exact surfaces its faces stand for (their curve of intersection, when
-/// two meet there), then straightens the edges of cells whose Jacobian falls below a tenth of the straight one's.
-CurvedEdges curve_edges(const dealii::Triangulation<3>& mesh, const SurfaceById& surface);
+/// two meet there), then straightens the edges of cells whose Jacobian falls below a tenth of the straight one's, and
+/// with each edge those between vertices of the same numbers (`vertex_number`), as images in a periodic box are.
+CurvedEdges curve_edges(const dealii::Triangulation<3>& mesh, const SurfaceById& surface,
+                        const std::vector<unsigned>& vertex_number);
 
 /// Quadratic map of each tetrahedron from its four vertices and six edge middles.
 class CurvedMapping : public dealii::MappingFE<3> {
@@ -37,6 +39,8 @@ public:
 
   std::unique_ptr<dealii::Mapping<3>> clone() const override;
   bool is_curved(const dealii::Triangulation<3>::cell_iterator& cell) const;
+  /// The four vertices and six edge middles of a cell.
+  std::vector<dealii::Point<3>> points(const dealii::Triangulation<3>::cell_iterator& cell) const;
   const CurvedEdges& edges() const { return *edges_; }
 
 protected:

@@ -1,5 +1,6 @@
 #include "pfv/problem/error.hpp"
 #include "reference/stokes_fem/discretisation.hpp"
+#include "reference/stokes_fem/identified_nodes.hpp"
 
 #include <deal.II/base/config.h>
 #include <deal.II/base/multithread_info.h>
@@ -47,19 +48,22 @@ std::shared_ptr<const Discretisation> discretise(const std::filesystem::path& me
   const dealii::Point<3> corner(origin[0], origin[1], origin[2]);
   dealii::GridTools::transform([&](const dealii::Point<3>& x) { return dealii::Point<3>((x - corner) / length); },
                                made->mesh);
+  const pfv::PeriodicAxes periodic = periodic_axes(unit.faces);
+  const auto surface = [&](unsigned id) { return exact_surface(labels.at(id), unit.packing, bridge_radius); };
   made->mapping = std::make_unique<CurvedMapping>(std::make_shared<CurvedEdges>(
-      curve_edges(made->mesh, [&](unsigned id) { return exact_surface(labels.at(id), unit.packing, bridge_radius); })));
+      curve_edges(made->mesh, surface, identified_vertices(*made, unit.packing.box, periodic))));
   made->velocity.reinit(made->mesh);
   made->velocity.distribute_dofs(made->quadratic);
   made->pressure.reinit(made->mesh);
   made->pressure.distribute_dofs(made->linear);
+  identify_nodes(*made, unit.packing.box, periodic);
   return made;
 }
 
 MeshFacts facts(const Discretisation& discretisation) {
   const CurvedEdges& edges = discretisation.mapping->edges();
   return {discretisation.mesh.n_active_cells(), edges.curved_cells, edges.straightened_cells,
-          discretisation.velocity.n_dofs(), discretisation.pressure.n_dofs()};
+          discretisation.velocity_nodes, discretisation.pressure_nodes};
 }
 
 std::string element_library() {

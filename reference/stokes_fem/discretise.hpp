@@ -15,7 +15,8 @@ struct Discretisation;
 /// Reads a tetrahedral MSH 2.2 file whose surface groups are named as meshing::void_mesh names them, scales it as the
 /// case
 /// (`unit`: box from the origin, longest side one, as in unit_case) and bends its boundary edges onto the exact
-/// surfaces. `origin` and `length` (m) are where the unit box begins in the file and how long its unit is. Throws
+/// surfaces. `origin` and `length` (m) are where the unit box begins in the file and how long its unit is. In a
+/// periodic box the packing is that of meshing::with_images, and opposite nodes are one. Throws
 /// pfv::SolveError when the file is not such a mesh.
 std::shared_ptr<const Discretisation> discretise(const std::filesystem::path& mesh, const pfv::Case& unit,
                                                  const pfv::Vec3& origin, double length, double bridge_radius);

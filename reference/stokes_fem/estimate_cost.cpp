@@ -1,6 +1,8 @@
 #include "reference/stokes_fem/estimate_cost.hpp"
 
 #include "meshing/element_size.hpp"
+#include "meshing/periodic_images.hpp"
+#include "meshing/void_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -56,8 +58,12 @@ double bytes_of(double unknowns, double mesh_size) {
 
 } // namespace
 
-Estimate estimate_cost(const pfv::Packing& packing, double mesh_size) {
-  const double elements = volume_in_elements(packing, meshing::ElementSize(packing, mesh_size));
+Estimate estimate_cost(const pfv::Case& problem, double mesh_size) {
+  const pfv::PeriodicAxes periodic = periodic_axes(problem.faces);
+  const pfv::Packing packing = meshing::with_images(problem.packing, periodic).packing;
+  const double bridge_radius = meshing::MeshSettings{}.bridge_radius;
+  const double elements =
+      volume_in_elements(packing, meshing::ElementSize(problem.packing, mesh_size, bridge_radius, periodic));
   const double unknowns = unknowns_of(elements, mesh_size);
   return {unknowns, seconds_of(unknowns, mesh_size, static_cast<double>(packing.spheres.size())),
           bytes_of(unknowns, mesh_size)};

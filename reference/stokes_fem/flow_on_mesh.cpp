@@ -1,9 +1,12 @@
 #include "reference/stokes_fem/flow_on_mesh.hpp"
 
+#include "meshing/periodic_images.hpp"
 #include "reference/stokes_fem/forces.hpp"
+#include "reference/stokes_fem/sample.hpp"
 #include "reference/stokes_fem/stokes_solver.hpp"
 #include "reference/stokes_fem/unit_case.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace reference::stokes_fem {
@@ -17,6 +20,17 @@ void add_flow(const pfv::Case& problem, const UnitCase& unit, const StokesSoluti
   if (const auto setup = pfv::permeability_setup(problem))
     answer.permeability = problem.fluid.viscosity * solution.dissipation * unit.flux() * setup->length /
                           (setup->area * std::abs(*setup->pressure_drop));
+}
+
+// The lowest pressure face has its own; without one the mean over the fluid is that of a pressure that is zero in the
+// middle of the box and has the mean gradient.
+void set_level(const UnitCase& unit, const StokesSystem& system, Eigen::VectorXd& pressure) {
+  const bool has_level =
+      std::ranges::any_of(unit.driving, [](const auto& face) { return std::holds_alternative<pfv::Pressure>(face); });
+  if (has_level)
+    pressure.array() += unit.lowest_pressure;
+  else
+    pressure.array() -= pressure.dot(system.pressure_volume) / system.pressure_volume.sum();
 }
 
 void add_forces(const Forces& forces, double unit, Answer& answer) {
@@ -43,8 +57,11 @@ void add_counts(const MeshFacts& mesh, const StokesSolution& solution, Answer& a
 } // namespace
 
 Answer flow_on_mesh(const pfv::Case& problem, const std::filesystem::path& mesh, double bridge_radius,
-                    pfv::Clock& clock) {
-  const UnitCase unit = unit_case(problem);
+                    pfv::Clock& clock, const Probes& probes) {
+  const meshing::ImagedPacking imaged = meshing::with_images(problem.packing, periodic_axes(problem.faces));
+  pfv::Case seen = problem;
+  seen.packing = imaged.packing;
+  const UnitCase unit = unit_case(seen);
   Answer answer;
   std::shared_ptr<const Discretisation> space;
   StokesSystem system;
@@ -58,12 +75,16 @@ Answer flow_on_mesh(const pfv::Case& problem, const std::filesystem::path& mesh,
   StokesSolution solution = solve_stokes(system, boundary, unit.driving, SolverSettings{}, clock);
   {
     const auto timing = clock.stage("forces");
-    solution.flow.pressure.array() += unit.lowest_pressure;
-    add_forces(fluid_forces(*space, system, boundary, unit.problem, solution.flow, bridge_radius), unit.force(),
+    set_level(unit, system, solution.flow.pressure);
+    add_forces(fluid_forces(*space, system, boundary, unit.problem, imaged, solution.flow, bridge_radius), unit.force(),
                answer);
   }
+  if (!probes.empty()) {
+    const auto timing = clock.stage("sample");
+    sample(flow_mesh(*space, solution.flow), unit, probes, answer);
+  }
   add_flow(problem, unit, solution, answer);
-  answer.porosity = system.volume / unit.problem.packing.box.volume();
+  answer.porosity = system.pressure_volume.sum() / unit.problem.packing.box.volume();
   add_counts(facts(*space), solution, answer);
   answer.notes["library"] = element_library();
   answer.notes["element"] = "Taylor-Hood P2/P1 on curved tetrahedra";

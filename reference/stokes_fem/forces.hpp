@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshing/periodic_images.hpp"
 #include "reference/stokes_fem/stokes_system.hpp"
 #include "reference/stokes_fem/tractions.hpp"
 
@@ -18,8 +19,12 @@ struct Forces {
 /// with: the mean pressure on the bridge, or the pressure of the open face it ends in, over its section. Without it a
 /// simple cubic lattice would carry dp (S - section) instead of dp S.
 ///
-/// `problem` is the unit case, its pressures those `flow` was driven by.
+/// Under a mean gradient every sphere also bears what the pressure of that gradient does to it, so that the forces add
+/// up to minus the gradient times the volume of the box. A sphere that periodic faces cut is counted whole, once.
+///
+/// `problem` is the unit case with the packing of `imaged`, its pressures those `flow` was driven by.
 Forces fluid_forces(const Discretisation& discretisation, const StokesSystem& system, const Boundary& boundary,
-                    const pfv::Case& problem, const FlowField& flow, double bridge_radius);
+                    const pfv::Case& problem, const meshing::ImagedPacking& imaged, const FlowField& flow,
+                    double bridge_radius);
 
 } // namespace reference::stokes_fem

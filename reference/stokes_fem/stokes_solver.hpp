@@ -17,7 +17,8 @@ struct SolverSettings {
 struct StokesSolution {
   FlowField flow;
   std::array<double, 6> face_flux{}; // by pfv::Face, out of the box
-  double dissipation = 0;            // sum of - p Q_out over the pressure faces = integral of |grad u|^2
+  double dissipation = 0;            // sum of - p Q_out over the pressure faces, of the drop times Q along a
+                                     // mean gradient; = integral of |grad u|^2
   double residual = 0;
   double imbalance = 0;
   int iterations = 0;
@@ -25,10 +26,10 @@ struct StokesSolution {
   double factor_entries = 0;       // nonzeros of all Cholesky factors
 };
 
-/// Solves Stokes' equations driven by the pressure faces: conjugate gradients on the pressure Schur complement (Uzawa)
-/// with exact velocity solves and the commutator preconditioner, every search direction kept and orthogonalised
-/// against, from zero pressure. Times "factor" and "solve". Throws pfv::SolveError when a factorisation fails or the
-/// settings are not met.
+/// Solves Stokes' equations driven by the pressure faces or the mean gradient: conjugate gradients on the pressure
+/// Schur complement (Uzawa) with exact velocity solves and the commutator preconditioner, every search direction kept
+/// and orthogonalised against, from zero pressure. Times "factor" and "solve". Throws pfv::SolveError when a
+/// factorisation fails or the settings are not met.
 StokesSolution solve_stokes(const StokesSystem& system, const Boundary& boundary, const pfv::FaceConditions& faces,
                             const SolverSettings& settings, pfv::Clock& clock);
 

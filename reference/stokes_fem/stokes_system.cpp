@@ -29,15 +29,15 @@ Matrix zero_matrix(const dealii::DynamicSparsityPattern& pattern, Eigen::Index r
 }
 
 StokesSystem empty_system(const Discretisation& space) {
-  const auto nodes = space.velocity.n_dofs();
-  const auto pressures = space.pressure.n_dofs();
+  const auto nodes = space.velocity_nodes;
+  const auto pressures = space.pressure_nodes;
   dealii::DynamicSparsityPattern lower(nodes, nodes);
   dealii::DynamicSparsityPattern coupling(pressures, nodes);
   Dofs velocity(10);
   Dofs pressure(4);
   for (const auto& cell : space.mesh.active_cell_iterators()) {
-    cell_of(space.velocity, cell)->get_dof_indices(velocity);
-    cell_of(space.pressure, cell)->get_dof_indices(pressure);
+    velocity_nodes(space, cell, velocity);
+    pressure_nodes(space, cell, pressure);
     std::ranges::sort(velocity);
     for (std::size_t column = 0; column < velocity.size(); ++column)
       lower.add_entries(velocity[column], velocity.begin() + static_cast<std::ptrdiff_t>(column), velocity.end(), true);
@@ -47,7 +47,10 @@ StokesSystem empty_system(const Discretisation& space) {
   const auto n = static_cast<Eigen::Index>(nodes);
   const auto m = static_cast<Eigen::Index>(pressures);
   const auto divergence = zero_matrix<SparseRows>(coupling, m, n);
-  return {zero_matrix<SparseMatrix>(lower, n, n), {divergence, divergence, divergence}, 0};
+  return {zero_matrix<SparseMatrix>(lower, n, n),
+          {divergence, divergence, divergence},
+          Eigen::VectorXd::Zero(n),
+          Eigen::VectorXd::Zero(m)};
 }
 
 void add_cell(const dealii::FEValues<3>& velocity, const dealii::FEValues<3>& pressure, const Dofs& nodes,
@@ -65,7 +68,10 @@ void add_cell(const dealii::FEValues<3>& velocity, const dealii::FEValues<3>& pr
     for (unsigned k = 0; k < 4; ++k)
       for (unsigned c = 0; c < 3; ++c)
         coupling[c].row(k) += weight * pressure.shape_value(k, q) * gradients.col(c).transpose();
-    system.volume += weight;
+    for (unsigned i = 0; i < 10; ++i)
+      system.node_volume[static_cast<Eigen::Index>(nodes[i])] += weight * velocity.shape_value(i, q);
+    for (unsigned k = 0; k < 4; ++k)
+      system.pressure_volume[static_cast<Eigen::Index>(pressures[k])] += weight * pressure.shape_value(k, q);
   }
   for (int i = 0; i < 10; ++i)
     for (int j = 0; j < 10; ++j)
@@ -85,7 +91,7 @@ StokesSystem assemble(const Discretisation& space) {
   const dealii::MappingFE<3> straight_mapping(space.linear);
   const dealii::QGaussSimplex<3> few(2);
   const dealii::QGaussSimplex<3> many(3);
-  const auto gradients = dealii::update_gradients | dealii::update_JxW_values;
+  const auto gradients = dealii::update_values | dealii::update_gradients | dealii::update_JxW_values;
   dealii::FEValues<3> straight(straight_mapping, space.quadratic, few, gradients);
   dealii::FEValues<3> straight_pressure(straight_mapping, space.linear, few, dealii::update_values);
   dealii::FEValues<3> curved(*space.mapping, space.quadratic, many, gradients);
@@ -93,8 +99,8 @@ StokesSystem assemble(const Discretisation& space) {
   Dofs nodes(10);
   Dofs pressures(4);
   for (const auto& cell : space.mesh.active_cell_iterators()) {
-    cell_of(space.velocity, cell)->get_dof_indices(nodes);
-    cell_of(space.pressure, cell)->get_dof_indices(pressures);
+    velocity_nodes(space, cell, nodes);
+    pressure_nodes(space, cell, pressures);
     const bool is_curved = space.mapping->is_curved(cell);
     dealii::FEValues<3>& velocity = is_curved ? curved : straight;
     dealii::FEValues<3>& pressure = is_curved ? curved_pressure : straight_pressure;

@@ -17,7 +17,8 @@ using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 struct StokesSystem {
   SparseMatrix laplacian;               // N x N, integral of grad phi_i . grad phi_j, lower triangle only
   std::array<SparseRows, 3> divergence; // M x N, integral of psi_k d phi_i / d x_c
-  double volume = 0;                    // of the curved mesh
+  Eigen::VectorXd node_volume;          // N, integral of phi_i
+  Eigen::VectorXd pressure_volume;      // M, integral of psi_k; its sum is the volume of the curved mesh
 };
 
 /// The Laplacian form of the viscous term: with no-slip grains and flat slip and pressure planes it has the same

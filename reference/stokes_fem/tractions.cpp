@@ -3,6 +3,8 @@
 #include "reference/stokes_fem/boundary_faces.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace reference::stokes_fem {
 
@@ -21,8 +23,8 @@ public:
   void reinit(const Cell& cell, unsigned face_number, pfv::Face face) {
     velocity_.reinit(cell, face_number);
     pressure_.reinit(cell, face_number);
-    cell_of(space_.velocity, cell)->get_dof_indices(nodes_);
-    cell_of(space_.pressure, cell)->get_dof_indices(pressures_);
+    velocity_nodes(space_, cell, nodes_);
+    pressure_nodes(space_, cell, pressures_);
     face_ = face;
   }
 
@@ -33,7 +35,8 @@ public:
     const pfv::FaceCondition& condition = faces_[static_cast<std::size_t>(index(face_))];
     const bool normal = index(axis_of(face_)) == component;
     const auto* pressure = std::get_if<pfv::Pressure>(&condition);
-    if (!pressure && !normal)
+    const bool zero = !normal && (!pressure || pressure->tangential == pfv::Tangential::free);
+    if (zero)
       return 0;
     double sum = 0;
     for (const unsigned q : velocity_.quadrature_point_indices())
@@ -69,44 +72,69 @@ private:
   pfv::Face face_{};
 };
 
+// The box face other than `face` that an edge of one of its triangles lies on, if any.
+std::optional<pfv::Face> face_beside(const dealii::TriaIterator<dealii::TriaAccessor<1, 3, 3>>& edge, pfv::Face face,
+                                     const pfv::Box& box) {
+  constexpr double on_plane = 1e-9; // of the unit of length
+  for (const pfv::Face other : pfv::all_faces) {
+    const auto axis = static_cast<unsigned>(index(axis_of(other)));
+    const double plane = (is_upper(other) ? box.upper : box.lower)[axis];
+    if (axis_of(other) != axis_of(face) && std::abs(edge->vertex(0)[axis] - plane) < on_plane &&
+        std::abs(edge->vertex(1)[axis] - plane) < on_plane)
+      return other;
+  }
+  return std::nullopt;
+}
+
 // Simpson's rule is exact for a quadratic. The traction (grad u)^T n of the symmetric stress, integrated over a face,
-// is the integral of u.n along its edges; only edges between a pressure face and a slip wall have flow on them.
-void add_edge_transfers(const Discretisation& space, const Boundary& boundary, const Cell& cell, unsigned face_number,
-                        int label, pfv::Face face, const FlowField& flow, std::vector<Vec3>& transfer) {
+// is the integral of u.n along its edges; the fluid that flows along an edge between two faces crosses the open one.
+void add_edge_transfers(const Discretisation& space, const pfv::Box& box, const std::array<int, 6>& label_of,
+                        const Cell& cell, unsigned face_number, pfv::Face face, const FlowField& flow,
+                        std::vector<Vec3>& transfer) {
   const auto triangle = cell_of(space.velocity, cell)->face(face_number);
-  const int along = index(axis_of(face));
+  const Eigen::VectorXd& u = flow.velocity[static_cast<std::size_t>(index(axis_of(face)))];
   for (unsigned edge = 0; edge < 3; ++edge) {
+    const auto beside = face_beside(cell->face(face_number)->line(edge), face, box);
+    const int other = beside ? label_of[static_cast<std::size_t>(index(*beside))] : -1;
+    if (other < 0)
+      continue;
     Dofs nodes(3);
     triangle->line(edge)->get_dof_indices(nodes);
-    const auto middle = static_cast<Eigen::Index>(nodes[2]);
-    for (int c = 0; c < 3; ++c) {
-      const int wall = boundary.holder[static_cast<std::size_t>(c)][nodes[2]];
-      if (c == along || wall == Boundary::free || wall == label)
-        continue;
-      const auto* wall_face = std::get_if<BoxFace>(&boundary.labels[static_cast<std::size_t>(wall)]);
-      if (!wall_face)
-        continue;
-      const Eigen::VectorXd& u = flow.velocity[static_cast<std::size_t>(along)];
-      const double flow_along_edge =
-          triangle->line(edge)->measure() / 6 *
-          (u[static_cast<Eigen::Index>(nodes[0])] + 4 * u[middle] + u[static_cast<Eigen::Index>(nodes[1])]) *
-          (is_upper(face) ? 1 : -1);
-      const Vec3 moved = flow_along_edge * outward_normal(wall_face->face);
-      transfer[static_cast<std::size_t>(label)] -= moved;
-      transfer[static_cast<std::size_t>(wall)] += moved;
-    }
+    for (auto& node : nodes)
+      node = space.velocity_node[node];
+    const double flow_along_edge =
+        triangle->line(edge)->measure() / 6 *
+        (u[static_cast<Eigen::Index>(nodes[0])] + 4 * u[static_cast<Eigen::Index>(nodes[2])] +
+         u[static_cast<Eigen::Index>(nodes[1])]) *
+        (is_upper(face) ? 1 : -1);
+    const Vec3 moved = flow_along_edge * outward_normal(*beside);
+    transfer[static_cast<std::size_t>(label_of[static_cast<std::size_t>(index(face))])] -= moved;
+    transfer[static_cast<std::size_t>(other)] += moved;
   }
+}
+
+// None of periodic faces, where nothing ends.
+std::array<int, 6> labels_of_faces(const std::vector<BoundaryLabel>& labels, const pfv::FaceConditions& faces) {
+  std::array<int, 6> label_of{};
+  label_of.fill(-1);
+  for (std::size_t label = 0; label < labels.size(); ++label)
+    if (const auto* face = std::get_if<BoxFace>(&labels[label]))
+      if (const auto f = static_cast<std::size_t>(index(face->face)); !std::holds_alternative<pfv::Periodic>(faces[f]))
+        label_of[f] = static_cast<int>(label);
+  return label_of;
 }
 
 } // namespace
 
-std::vector<Vec3> force_transfers(const Discretisation& space, const Boundary& boundary,
-                                  const pfv::FaceConditions& faces, const FlowField& flow) {
+std::vector<Vec3> force_transfers(const Discretisation& space, const Boundary& boundary, const pfv::Case& problem,
+                                  const FlowField& flow) {
   std::vector<Vec3> transfer(boundary.labels.size(), Vec3::Zero());
+  const pfv::FaceConditions& faces = problem.faces;
+  const std::array<int, 6> label_of = labels_of_faces(boundary.labels, faces);
   FaceTraction traction(space, faces, flow);
   for_each_boundary_face(space, [&](const Cell& cell, unsigned face_number, int label) {
     const auto* face = std::get_if<BoxFace>(&boundary.labels[static_cast<std::size_t>(label)]);
-    if (!face)
+    if (!face || label_of[static_cast<std::size_t>(index(face->face))] < 0)
       return;
     const Dofs on_face = face_nodes(space, cell, face_number);
     traction.reinit(cell, face_number, face->face);
@@ -125,31 +153,36 @@ std::vector<Vec3> force_transfers(const Discretisation& space, const Boundary& b
       }
     }
     if (std::holds_alternative<pfv::Pressure>(faces[static_cast<std::size_t>(index(face->face))]))
-      add_edge_transfers(space, boundary, cell, face_number, label, face->face, flow, transfer);
+      add_edge_transfers(space, problem.packing.box, label_of, cell, face_number, face->face, flow, transfer);
   });
   return transfer;
 }
 
-std::vector<double> mean_pressures(const Discretisation& space, const FlowField& flow) {
-  std::vector<double> integral(space.labels.size(), 0);
-  std::vector<double> area(space.labels.size(), 0);
-  auto values = face_values(space, space.linear, value_flags);
+std::vector<SurfacePressure> surface_pressures(const Discretisation& space, const FlowField& flow,
+                                               const pfv::Vec3& gradient, const pfv::Vec3& middle) {
+  std::vector<SurfacePressure> sums(space.labels.size());
+  auto values =
+      face_values(space, space.linear, value_flags | dealii::update_quadrature_points | dealii::update_normal_vectors);
   Dofs nodes(4);
   for_each_boundary_face(space, [&](const Cell& cell, unsigned face_number, int label) {
     values.reinit(cell, face_number);
-    cell_of(space.pressure, cell)->get_dof_indices(nodes);
+    pressure_nodes(space, cell, nodes);
+    SurfacePressure& sum = sums[static_cast<std::size_t>(label)];
     for (const unsigned q : values.quadrature_point_indices()) {
-      double pressure = 0;
+      const auto& at = values.quadrature_point(q);
+      const auto& normal = values.normal_vector(q);
+      const double rise = gradient.dot(Vec3(at[0], at[1], at[2]) - middle);
+      double pressure = rise;
       for (unsigned k = 0; k < nodes.size(); ++k)
         pressure += flow.pressure[static_cast<Eigen::Index>(nodes[k])] * values.shape_value(k, q);
-      integral[static_cast<std::size_t>(label)] += pressure * values.JxW(q);
-      area[static_cast<std::size_t>(label)] += values.JxW(q);
+      const Vec3 area = values.JxW(q) * Vec3(normal[0], normal[1], normal[2]);
+      sum.integral += pressure * values.JxW(q);
+      sum.area += values.JxW(q);
+      sum.area_vector += area;
+      sum.push_of_rise += rise * area;
     }
   });
-  for (std::size_t label = 0; label < area.size(); ++label)
-    if (area[label] > 0)
-      integral[label] /= area[label];
-  return integral;
+  return sums;
 }
 
 } // namespace reference::stokes_fem

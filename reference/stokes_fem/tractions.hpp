@@ -4,7 +4,8 @@
 
 namespace reference::stokes_fem {
 
-/// Velocity by component (N nodes each) and pressure (M nodes), of unit viscosity.
+/// Velocity by component (N nodes each) and pressure (M nodes), of unit viscosity. In a periodic box the pressure is
+/// what is left of it without its mean gradient.
 struct FlowField {
   std::array<Eigen::VectorXd, 3> velocity;
   Eigen::VectorXd pressure;
@@ -14,11 +15,20 @@ struct FlowField {
 /// with the functions of nodes another piece holds (or nobody, on a pressure face). One vector per label, to be added
 /// to the force of the fluid on it; where the other piece is a label, it loses what the face gains. The traction is
 /// that of the symmetric stress, which differs from the Laplacian form's by line integrals over the edges between
-/// pressure faces and slip walls.
+/// pressure faces and other faces. `problem` is the unit case.
 std::vector<pfv::Vec3> force_transfers(const Discretisation& discretisation, const Boundary& boundary,
-                                       const pfv::FaceConditions& faces, const FlowField& flow);
+                                       const pfv::Case& problem, const FlowField& flow);
 
-/// Mean pressure over each piece of boundary, by label.
-std::vector<double> mean_pressures(const Discretisation& discretisation, const FlowField& flow);
+/// Integrals over a piece of boundary, normals out of the fluid.
+struct SurfacePressure {
+  double area = 0;
+  double integral = 0;                        // of the pressure, the mean gradient's part included
+  pfv::Vec3 area_vector = pfv::Vec3::Zero();  // of the normal
+  pfv::Vec3 push_of_rise = pfv::Vec3::Zero(); // of the normal times the mean gradient's part alone
+};
+
+/// By label. `gradient` is the mean one of a periodic box, its part of the pressure zero at `middle`.
+std::vector<SurfacePressure> surface_pressures(const Discretisation& discretisation, const FlowField& flow,
+                                               const pfv::Vec3& gradient, const pfv::Vec3& middle);
 
 } // namespace reference::stokes_fem

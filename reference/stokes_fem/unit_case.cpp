@@ -30,10 +30,12 @@ PressureRange pressure_range(const pfv::FaceConditions& faces) {
   return range;
 }
 
-pfv::FaceConditions scaled(pfv::FaceConditions faces, double shift, double unit) {
+pfv::FaceConditions scaled(pfv::FaceConditions faces, double shift, double unit, double length) {
   for (pfv::FaceCondition& face : faces)
     if (auto* pressure = std::get_if<pfv::Pressure>(&face))
       pressure->value = (pressure->value - shift) / unit;
+    else if (auto* periodic = std::get_if<pfv::Periodic>(&face))
+      periodic->gradient *= length / unit;
   return faces;
 }
 
@@ -42,15 +44,18 @@ pfv::FaceConditions scaled(pfv::FaceConditions faces, double shift, double unit)
 UnitCase unit_case(const pfv::Case& problem) {
   const pfv::Box& box = problem.packing.box;
   const PressureRange range = pressure_range(problem.faces);
+  const double largest_rise = imposed_gradient(problem.faces).cwiseProduct(box.size()).cwiseAbs().maxCoeff();
+  const double pressure = largest_rise > 0 ? largest_rise : range.unit();
+  const double length = box.size().maxCoeff();
+  const double lowest = std::isfinite(range.lowest) ? range.lowest : 0;
   UnitCase unit{problem,
-                scaled(problem.faces, range.lowest, range.unit()),
-                0,
+                scaled(problem.faces, lowest, pressure, length),
+                lowest / pressure,
                 box.lower,
-                box.size().maxCoeff(),
-                range.unit(),
+                length,
+                pressure,
                 problem.fluid.viscosity};
-  unit.lowest_pressure = std::isfinite(range.lowest) ? range.lowest / unit.pressure : 0;
-  unit.problem.faces = scaled(problem.faces, 0, unit.pressure);
+  unit.problem.faces = scaled(problem.faces, 0, pressure, length);
   unit.problem.fluid.viscosity = 1;
   unit.problem.packing.box = {pfv::Vec3::Zero(), box.size() / unit.length};
   for (pfv::Sphere& sphere : unit.problem.packing.spheres)

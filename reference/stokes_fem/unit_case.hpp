@@ -4,8 +4,8 @@
 
 namespace reference::stokes_fem {
 
-/// A case in units of its own: longest side of the box, largest pressure difference and viscosity are one, so that no
-/// tolerance depends on the units of the question.
+/// A case in units of its own: longest side of the box, largest pressure difference (or rise of the mean pressure
+/// across a periodic box) and viscosity are one, so that no tolerance depends on the units of the question.
 struct UnitCase {
   pfv::Case problem;           // box from the origin; pressures absolute
   pfv::FaceConditions driving; // the same pressures less the lowest one, between 0 and 1

@@ -1,5 +1,7 @@
 #include "reference/stokes_fem/velocity_component.hpp"
 
+#include <algorithm>
+
 namespace reference::stokes_fem {
 
 namespace {
@@ -41,6 +43,7 @@ VelocityComponent free_component(const StokesSystem& system, const Boundary& bou
   component.laplacian = restrict_lower(system.laplacian, component);
   component.divergence = restrict_columns(system.divergence[c], component);
   component.load = Eigen::VectorXd::Zero(component.size);
+  component.load -= imposed_gradient(faces)[static_cast<int>(c)] * component.gather(system.node_volume);
   const auto axis = static_cast<pfv::Axis>(c);
   for (const pfv::Face face : {pfv::lower_face(axis), pfv::upper_face(axis)}) {
     const auto f = static_cast<std::size_t>(index(face));
@@ -70,8 +73,15 @@ Eigen::VectorXd VelocityComponent::scatter(const Eigen::VectorXd& values) const 
 
 VelocityComponents free_components(const StokesSystem& system, const Boundary& boundary,
                                    const pfv::FaceConditions& faces) {
-  return {free_component(system, boundary, faces, 0), free_component(system, boundary, faces, 1),
-          free_component(system, boundary, faces, 2)};
+  VelocityComponents components{free_component(system, boundary, faces, 0), free_component(system, boundary, faces, 1),
+                                free_component(system, boundary, faces, 2)};
+  const bool has_level =
+      std::ranges::any_of(faces, [](const auto& face) { return std::holds_alternative<pfv::Pressure>(face); });
+  if (!has_level) // one pressure stays at zero; its equation is the sum of all others
+    for (VelocityComponent& component : components)
+      for (SparseRows::InnerIterator it(component.divergence, 0); it; ++it)
+        it.valueRef() = 0;
+  return components;
 }
 
 } // namespace reference::stokes_fem

@@ -13,7 +13,7 @@ struct VelocityComponent {
   Eigen::Index size = 0;       // free unknowns
   SparseMatrix laplacian;      // lower triangle
   SparseRows divergence;
-  Eigen::VectorXd load; // of the pressure faces
+  Eigen::VectorXd load; // of the pressure faces and the mean gradient
 
   Eigen::VectorXd gather(const Eigen::VectorXd& nodal) const;
   Eigen::VectorXd scatter(const Eigen::VectorXd& values) const; // zero on fixed nodes
@@ -21,6 +21,7 @@ struct VelocityComponent {
 
 using VelocityComponents = std::array<VelocityComponent, 3>;
 
+/// Where no face has a pressure, one pressure unknown is held at zero by leaving its equation out.
 VelocityComponents free_components(const StokesSystem& system, const Boundary& boundary,
                                    const pfv::FaceConditions& faces);
 

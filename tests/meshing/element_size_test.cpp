@@ -32,7 +32,8 @@ TEST(ElementSize, HasAFloorAtContacts) {
 TEST(ElementSize, LeavesSixElementsAroundABridge) {
   for (const double mesh_size : {1.0, 2.0, 5.0})
     for (const double bridge_radius : {0.1, 0.2})
-      EXPECT_LE(ElementSize(pair_with_gap(0.001), mesh_size, bridge_radius)(middle), 1.001 * bridge_radius * 0.2);
+      EXPECT_LE(ElementSize(pair_with_gap(0.001), mesh_size, bridge_radius)(middle),
+                1.001 * ElementSize::rim * bridge_radius * 0.2);
 }
 
 TEST(ElementSize, IsSmallerInAThroatThanAtAContact) {

@@ -14,9 +14,9 @@ using pfv::Vec3;
 TEST(Seams, AreTheSameEveryTime) {
   const auto packing = pfv::nine_spheres();
   const auto bridges = meshing::contact_bridges(packing, 0.2);
-  const auto one = mesher::turns_of_seams(packing, bridges, 1);
-  const auto again = mesher::turns_of_seams(packing, bridges, 1);
-  const auto other = mesher::turns_of_seams(packing, bridges, 2);
+  const auto one = mesher::turns_of_seams(meshing::with_images(packing, {}), bridges, 1);
+  const auto again = mesher::turns_of_seams(meshing::with_images(packing, {}), bridges, 1);
+  const auto other = mesher::turns_of_seams(meshing::with_images(packing, {}), bridges, 2);
   ASSERT_EQ(one.spheres.size(), packing.spheres.size());
   ASSERT_EQ(one.bridges.size(), bridges.size());
   for (std::size_t k = 0; k < one.spheres.size(); ++k) {
@@ -28,7 +28,7 @@ TEST(Seams, AreTheSameEveryTime) {
 TEST(Seams, BridgesStandAlongTheirAxes) {
   const auto packing = pfv::nine_spheres();
   const auto bridges = meshing::contact_bridges(packing, 0.2);
-  const auto turns = mesher::turns_of_seams(packing, bridges, 1);
+  const auto turns = mesher::turns_of_seams(meshing::with_images(packing, {}), bridges, 1);
   for (std::size_t b = 0; b < bridges.size(); ++b)
     EXPECT_LT((turns.bridges[b] * Vec3::UnitZ() - (bridges[b].to - bridges[b].from).normalized()).norm(), 1e-12);
 }
@@ -38,7 +38,7 @@ TEST(Seams, KeepClearOfRims) {
   const auto packing = pfv::lattice_packing(pfv::Lattice::simple_cubic, 0.52359877559, 1);
   const auto bridges = meshing::contact_bridges(packing, 0.2);
   const double rim = std::asin(0.2);
-  const auto turn = mesher::turns_of_seams(packing, bridges, 1).spheres.at(0);
+  const auto turn = mesher::turns_of_seams(meshing::with_images(packing, {}), bridges, 1).spheres.at(0);
   for (const auto& bridge : bridges) {
     const Vec3 axis = (bridge.to - bridge.from).normalized();
     double nearest = std::numbers::pi; // of the seam to the axis
