@@ -1,6 +1,7 @@
 #include "pfv/problem/error.hpp"
 #include "reference/closed_form/closed_form.hpp"
 #include "reference/exact/exact.hpp"
+#include "reference/lattice_boltzmann/lattice_boltzmann.hpp"
 #include "reference/method.hpp"
 #include "reference/openfoam/openfoam.hpp"
 #include "reference/pore_volumes/pore_volumes.hpp"
@@ -20,6 +21,7 @@ std::vector<std::unique_ptr<Method>> make_methods() {
   list.push_back(make_yade());
   list.push_back(make_stokes_fem());
   list.push_back(make_openfoam());
+  list.push_back(make_lattice_boltzmann());
   list.push_back(make_closed_form());
   list.push_back(make_exact());
   return list;

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "reference/lattice_boltzmann/voxel_grid.hpp"
+#include "reference/method.hpp"
+
+namespace reference::lattice_boltzmann {
+
+/// Unknowns: nineteen populations to each fluid voxel, counting the spheres whole. Seconds and bytes by fits to
+/// measurements.
+Estimate expected_cost(const pfv::Packing& packing, const VoxelGrid& grid, int ranks);
+
+} // namespace reference::lattice_boltzmann
