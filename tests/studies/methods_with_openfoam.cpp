@@ -11,6 +11,7 @@ const std::vector<std::unique_ptr<Method>>& methods() {
   static const auto list = [] {
     std::vector<std::unique_ptr<Method>> made;
     made.push_back(make_openfoam());
+    made.push_back(make_openfoam_snappy());
     made.push_back(make_exact());
     return made;
   }();
@@ -20,7 +21,7 @@ const std::vector<std::unique_ptr<Method>>& methods() {
 const Method& find_method(const std::string& name) {
   const auto found = std::ranges::find(methods(), name, [](const auto& method) { return method->name(); });
   if (found == methods().end())
-    throw pfv::InputError("unknown method '" + name + "'; it can be one of openfoam, exact");
+    throw pfv::InputError("unknown method '" + name + "'; it can be one of openfoam, openfoam_snappy, exact");
   return **found;
 }
 

@@ -169,7 +169,7 @@ TEST_F(Faults, TheDiskIsFull) {
 
 TEST_F(Faults, TheDiskIsFullForTheMesh) {
   const StudyOutput output =
-      study({"run", folder_.path().string()}, environment(false), 30000); // bytes, less than the mesh takes
+      study({"run", folder_.path().string()}, environment(false), 10000); // bytes, less than the mesh takes
   EXPECT_EQ(output.exit_code, 1) << output.err;
   EXPECT_EQ(newest("openfoam").status, Status::failed);
   EXPECT_NE(newest("openfoam").message.find("mesh"), std::string::npos) << newest("openfoam").message;
