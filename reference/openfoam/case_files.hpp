@@ -34,10 +34,17 @@ pfv::Packing in_units(const pfv::Packing& packing, const Units& units);
 /// written.
 void write_foam_file(const std::filesystem::path& file, std::string_view kind, std::string_view text);
 
+/// What simpleFoam is told that suits one kind of mesh better than another.
+struct SolverSettings {
+  std::string gradient; // scheme
+  double relaxation;    // of the momentum equation
+  /// Of the residuals: the permeability is within 1e-6 of the one where they vanish.
+  double tolerance = 1e-6;
+};
+
 /// system/ and constant/: schemes, solvers and the fluxes through `open_faces` recorded on the way.
-/// With `free_flow` through them residuals have to fall further before the fluxes balance.
 void write_dictionaries(const std::filesystem::path& folder, const std::vector<std::string>& open_faces,
-                        bool free_flow);
+                        const SolverSettings& settings);
 
 /// system/decomposeParDict: slices of the same thickness across the longest side of the box.
 void write_decomposition(const std::filesystem::path& folder, const pfv::Box& box, int ranks);

@@ -48,7 +48,7 @@ struct Fit {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> parts(matrix);
     Eigen::Matrix<double, 3, Components> sum = Eigen::Matrix<double, 3, Components>::Zero();
     for (int k = 0; k < 3; ++k)
-      if (parts.eigenvalues()[k] > 1e-6 * parts.eigenvalues()[2]) {
+      if (parts.eigenvalues()[k] > 0.03 * parts.eigenvalues()[2]) {
         const pfv::Vec3 direction = parts.eigenvectors().col(k);
         sum += direction * (direction.transpose() * right) / parts.eigenvalues()[k];
       }

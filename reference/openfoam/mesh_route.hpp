@@ -2,6 +2,7 @@
 
 #include "pfv/clock.hpp"
 #include "pfv/problem/case.hpp"
+#include "reference/openfoam/case_files.hpp"
 
 #include <filesystem>
 #include <map>
@@ -26,6 +27,7 @@ public:
   virtual double convergence_order() const = 0;
   /// Expected number of cells.
   virtual double cells(const pfv::Case& problem, double mesh_size) const = 0;
+  virtual SolverSettings solver() const = 0;
   /// Expected CPU seconds of the solver for a cell.
   virtual double seconds_per_cell() const = 0;
 

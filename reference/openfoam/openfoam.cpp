@@ -37,13 +37,6 @@ std::vector<std::string> open_faces(const pfv::FaceConditions& faces) {
   return names;
 }
 
-bool has_free_flow(const pfv::FaceConditions& faces) {
-  return std::ranges::any_of(faces, [](const pfv::FaceCondition& face) {
-    const auto* open = std::get_if<pfv::Pressure>(&face);
-    return open && open->tangential == pfv::Tangential::free;
-  });
-}
-
 // The meshers' numbering jumps through memory: renumbering makes the solve a quarter faster.
 FoamMesh finish(const std::filesystem::path& folder, const MeshRoute::Made& made, const pfv::Case& problem,
                 pfv::Clock& clock) {
@@ -140,7 +133,7 @@ Answer OpenFoam::solve(const pfv::Case& problem, const Request& request, pfv::Cl
     throw pfv::SolveError(name() + " does not cover this case: " + *reason);
   const TemporaryFolder folder("openfoam");
   const auto faces = open_faces(problem.faces);
-  write_dictionaries(folder.path(), faces, has_free_flow(problem.faces));
+  write_dictionaries(folder.path(), faces, route_->solver());
   const auto made = route_->make(folder.path(), problem, request.mesh_size, clock);
   const FoamMesh mesh = finish(folder.path(), made, problem, clock);
   const double excess = volume_error(problem, mesh);

@@ -41,6 +41,9 @@ public:
     const auto measure = meshing::exact_void(problem.packing);
     return measure.volume / std::pow(cell_length(measure, mesh_size), 3);
   }
+  /// Point-based gradients give the same to 0.05 %, least squares and pressures extrapolated to the walls to 2 %; none
+  /// changes the error of the cells across the throats. 0.9 takes three quarters of the iterations of 0.93.
+  SolverSettings solver() const override { return {"Gauss linear", 0.9}; }
   double seconds_per_cell() const override { return 4e-4; }
 
   Made make(const std::filesystem::path& folder, const pfv::Case& problem, double mesh_size,
