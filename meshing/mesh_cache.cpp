@@ -3,13 +3,17 @@
 #include "pfv/problem/error.hpp"
 
 #include <array>
+#include <chrono>
 #include <cstdlib>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <sys/file.h>
 #include <system_error>
+#include <unistd.h>
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -57,15 +61,53 @@ void write_entry(const fs::path& entry, const MeshCache::Made& made) {
     throw std::system_error(errno, std::generic_category(), fmt::format("cannot write {}", entry.string()));
 }
 
+const std::string unfinished = "making-";
+
+/// A folder held by this process, or nobody's any more: the lock goes with the process, however that ends.
+class HeldFolder {
+public:
+  explicit HeldFolder(const fs::path& folder)
+      : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)),
+        held_(descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) {}
+  ~HeldFolder() {
+    if (descriptor_ >= 0)
+      ::close(descriptor_);
+  }
+  HeldFolder(const HeldFolder&) = delete;
+  HeldFolder& operator=(const HeldFolder&) = delete;
+  explicit operator bool() const { return held_; }
+
+private:
+  int descriptor_;
+  bool held_;
+};
+
+/// Removes what processes that were killed left unfinished. A minute's grace: between its making and its lock a new
+/// folder is nobody's.
+void remove_abandoned(const fs::path& cache) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(cache, ignored)) {
+    if (!entry.path().filename().string().starts_with(unfinished))
+      continue;
+    const auto changed = fs::last_write_time(entry.path(), ignored);
+    if (fs::file_time_type::clock::now() - changed < std::chrono::minutes(1))
+      continue;
+    if (const HeldFolder held(entry.path()); held)
+      fs::remove_all(entry.path(), ignored);
+  }
+}
+
 /// A new folder beside the entries, on the same file system so that it can be renamed, removed unless it was.
 class Workplace {
 public:
   explicit Workplace(const fs::path& cache) {
     fs::create_directories(cache);
-    std::string name = cache / "making-XXXXXX";
+    remove_abandoned(cache);
+    std::string name = cache / (unfinished + "XXXXXX");
     if (mkdtemp(name.data()) == nullptr)
       throw std::system_error(errno, std::generic_category(), fmt::format("cannot write to {}", cache.string()));
     folder_ = name;
+    held_.emplace(folder_);
   }
   ~Workplace() {
     std::error_code ignored;
@@ -77,6 +119,7 @@ public:
 
 private:
   fs::path folder_;
+  std::optional<HeldFolder> held_;
 };
 
 } // namespace

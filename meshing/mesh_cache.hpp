@@ -24,7 +24,8 @@ public:
   std::optional<VoidMesh> find(const std::string& key) const;
 
   /// Lets `make` write `void.msh` (and anything else worth keeping) into a new folder, then makes it the entry, in
-  /// place of a damaged one. A process that was faster leaves its own. The folder is removed when `make` throws.
+  /// place of a damaged one. A process that was faster leaves its own. The folder is removed when `make` throws, or by
+  /// the next one to add when this process is killed.
   struct Made {
     MeshQuality quality;
     double cpu_seconds;

@@ -21,6 +21,7 @@ std::vector<std::unique_ptr<Method>> make_methods() {
   list.push_back(make_yade());
   list.push_back(make_stokes_fem());
   list.push_back(make_openfoam());
+  list.push_back(make_openfoam_snappy());
   list.push_back(make_lattice_boltzmann());
   list.push_back(make_closed_form());
   list.push_back(make_exact());

@@ -1,10 +1,12 @@
 #include "reference/exact/exact.hpp"
 
 #include "pfv/problem/error.hpp"
+#include "reference/temporary_folder.hpp"
 
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <thread>
 
 namespace reference {
@@ -18,8 +20,13 @@ void misbehave(const std::string& mode) {
     throw std::runtime_error("exact was asked to throw (PFV_EXACT=throw)");
   if (mode == "crash")
     std::abort();
+  if (mode == "litter") {
+    static const TemporaryFolder left_behind("exact");
+    std::ofstream(left_behind.path() / "litter") << "as of a method that was killed\n";
+    std::abort();
+  }
   if (mode != "slow")
-    throw pfv::InputError("PFV_EXACT is '" + mode + "'; it can be fail, throw, crash or slow");
+    throw pfv::InputError("PFV_EXACT is '" + mode + "'; it can be fail, throw, crash, litter or slow");
   std::this_thread::sleep_for(std::chrono::seconds(60));
 }
 

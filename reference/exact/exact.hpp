@@ -12,6 +12,7 @@ namespace reference {
 /// variable PFV_EXACT makes solve() misbehave:
 ///   fail   throws pfv::SolveError            throw  throws std::runtime_error
 ///   crash  ends the process by SIGABRT       slow   sleeps for 60 s, then answers
+///   litter ends it too, leaving a file in a temporary folder
 /// and any other value is an InputError.
 std::unique_ptr<Method> make_exact();
 

@@ -3,6 +3,7 @@
 #include "pfv/problem/error.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <fstream>
 #include <limits>
@@ -28,42 +29,29 @@ constexpr std::string_view flux_history = R"(
     writeControl timeStep; writeInterval 10;
   }})";
 
-// On tetrahedra the gradients need the point-based faces and the flux of H/A the skewness correction: without them the
-// permeability converges to a value that is several per cent off. More accurate on regular packings but divergent on
-// the flat cells of random ones: pressure extrapolated to the walls, least-squares gradients.
 constexpr std::string_view schemes = R"(
-ddtSchemes { default steadyState; }
-gradSchemes { default Gauss pointLinear; }
-divSchemes {
+ddtSchemes {{ default steadyState; }}
+gradSchemes {{ default {gradient}; }}
+divSchemes {{
   default none;
   div(phi,U) bounded Gauss linear;
   div((nuEff*dev2(T(grad(U))))) Gauss linear;
-}
-laplacianSchemes { default Gauss linear corrected; }
-interpolationSchemes { default linear; flux(HbyA) skewCorrected linear; }
-snGradSchemes { default corrected; }
+}}
+laplacianSchemes {{ default Gauss linear corrected; }}
+interpolationSchemes {{ default linear; flux(HbyA) skewCorrected linear; }}
+snGradSchemes {{ default corrected; }}
 )";
 
-// Relaxation of U: from 0.8 to 0.98 the answer is the same; near 0.93 it takes the least time, at 0.99 it diverges.
 constexpr std::string_view solution = R"(
-solvers {
-  p { solver GAMG; smoother GaussSeidel; nCellsInCoarsestLevel 50; tolerance 1e-12; relTol 0.1; }
-  U { solver smoothSolver; smoother symGaussSeidel; tolerance 1e-12; relTol 0.1; }
-}
-SIMPLE { consistent yes; nNonOrthogonalCorrectors 0; residualControl { p 1e-5; U 1e-5; } }
-relaxationFactors { fields { p 1; } equations { U 0.93; } }
+solvers {{
+  p {{ solver GAMG; smoother GaussSeidel; nCellsInCoarsestLevel 50; tolerance 1e-12; relTol 0.1; }}
+  U {{ solver smoothSolver; smoother symGaussSeidel; tolerance 1e-12; relTol 0.1; }}
+}}
+SIMPLE {{ consistent yes; nNonOrthogonalCorrectors 0; residualControl {{ p {tolerance}; U {tolerance}; }} }}
+relaxationFactors {{ fields {{ p 1; }} equations {{ U {relaxation}; }} }}
 )";
 
 constexpr int iteration_limit = 5000;
-
-void write(const std::filesystem::path& file, std::string_view kind, std::string_view text) {
-  std::filesystem::create_directories(file.parent_path());
-  std::ofstream out(file);
-  out << "FoamFile { version 2.0; format ascii; class " << kind << "; object " << file.filename().string() << "; }\n"
-      << text;
-  if (!out.flush())
-    throw pfv::SolveError("cannot write " + file.string());
-}
 
 struct Boundary {
   std::string pressure;
@@ -77,9 +65,13 @@ Boundary boundary(const Patch& part, const pfv::FaceConditions& faces, const Uni
   const auto* open = std::get_if<pfv::Pressure>(&faces[static_cast<std::size_t>(pfv::index(*face))]);
   if (!open)
     return {"type zeroGradient;", "type slip;"};
-  // pressureInletVelocity takes the normal velocity from the flux, for outflow as well, and no tangential one.
+  // pressureInletVelocity takes the normal velocity from the flux, for outflow as well, and no tangential one; with
+  // zeroGradient the viscous traction is zero and the pressure all of it.
+  const std::string velocity = open->tangential == pfv::Tangential::free
+                                   ? "type zeroGradient;"
+                                   : "type pressureInletVelocity; value uniform (0 0 0);";
   return {fmt::format("type fixedValue; value uniform {};", (open->value - units.lower_pressure) / units.pressure),
-          "type pressureInletVelocity; value uniform (0 0 0);"};
+          velocity};
 }
 
 } // namespace
@@ -95,17 +87,47 @@ Units units_of(const pfv::Case& problem) {
   return {problem.packing.box.size().maxCoeff(), std::max(0.0, highest - lowest), lowest, problem.fluid.viscosity};
 }
 
-void write_dictionaries(const std::filesystem::path& folder, const std::vector<std::string>& open_faces) {
+pfv::Packing in_units(const pfv::Packing& packing, const Units& units) {
+  pfv::Packing scaled{{packing.box.lower / units.length, packing.box.upper / units.length}, packing.spheres};
+  for (pfv::Sphere& sphere : scaled.spheres)
+    sphere = {sphere.centre / units.length, sphere.radius / units.length};
+  return scaled;
+}
+
+void write_foam_file(const std::filesystem::path& file, std::string_view kind, std::string_view text) {
+  std::filesystem::create_directories(file.parent_path());
+  std::ofstream out(file);
+  out << "FoamFile { version 2.0; format ascii; class " << kind << "; object " << file.filename().string() << "; }\n"
+      << text;
+  if (!out.flush())
+    throw pfv::SolveError("cannot write " + file.string());
+}
+
+void write_decomposition(const std::filesystem::path& folder, const pfv::Box& box, int ranks) {
+  int longest = 0;
+  box.size().maxCoeff(&longest);
+  std::array<int, 3> slices{1, 1, 1};
+  slices[static_cast<std::size_t>(longest)] = ranks;
+  write_foam_file(folder / "system" / "decomposeParDict", "dictionary",
+                  fmt::format("numberOfSubdomains {}; method simple;\nsimpleCoeffs {{ n ({} {} {}); delta 0.001; }}\n",
+                              ranks, slices[0], slices[1], slices[2]));
+}
+
+void write_dictionaries(const std::filesystem::path& folder, const std::vector<std::string>& open_faces,
+                        const SolverSettings& settings) {
   std::string functions;
   for (const std::string& name : open_faces)
     functions += fmt::format(flux_history, fmt::arg("name", name));
-  write(folder / "system" / "controlDict", "dictionary",
-        fmt::format(control, fmt::arg("iterations", iteration_limit), fmt::arg("functions", functions)));
-  write(folder / "system" / "fvSchemes", "dictionary", schemes);
-  write(folder / "system" / "fvSolution", "dictionary", solution);
-  write(folder / "constant" / "transportProperties", "dictionary",
-        fmt::format("transportModel Newtonian; nu {};\n", Units::viscosity));
-  write(folder / "constant" / "turbulenceProperties", "dictionary", "simulationType laminar;\n");
+  write_foam_file(folder / "system" / "controlDict", "dictionary",
+                  fmt::format(control, fmt::arg("iterations", iteration_limit), fmt::arg("functions", functions)));
+  write_foam_file(folder / "system" / "fvSchemes", "dictionary",
+                  fmt::format(schemes, fmt::arg("gradient", settings.gradient)));
+  write_foam_file(
+      folder / "system" / "fvSolution", "dictionary",
+      fmt::format(solution, fmt::arg("tolerance", settings.tolerance), fmt::arg("relaxation", settings.relaxation)));
+  write_foam_file(folder / "constant" / "transportProperties", "dictionary",
+                  fmt::format("transportModel Newtonian; nu {};\n", Units::viscosity));
+  write_foam_file(folder / "constant" / "turbulenceProperties", "dictionary", "simulationType laminar;\n");
 }
 
 void write_fields(const std::filesystem::path& folder, const FoamMesh& mesh, const pfv::Case& problem) {
@@ -117,10 +139,10 @@ void write_fields(const std::filesystem::path& folder, const FoamMesh& mesh, con
     pressure += fmt::format("  {} {{ {} }}\n", patch.name, conditions.pressure);
     velocity += fmt::format("  {} {{ {} }}\n", patch.name, conditions.velocity);
   }
-  write(folder / "0" / "p", "volScalarField",
-        "dimensions [0 2 -2 0 0 0 0];\ninternalField uniform 0;\nboundaryField {\n" + pressure + "}\n");
-  write(folder / "0" / "U", "volVectorField",
-        "dimensions [0 1 -1 0 0 0 0];\ninternalField uniform (0 0 0);\nboundaryField {\n" + velocity + "}\n");
+  write_foam_file(folder / "0" / "p", "volScalarField",
+                  "dimensions [0 2 -2 0 0 0 0];\ninternalField uniform 0;\nboundaryField {\n" + pressure + "}\n");
+  write_foam_file(folder / "0" / "U", "volVectorField",
+                  "dimensions [0 1 -1 0 0 0 0];\ninternalField uniform (0 0 0);\nboundaryField {\n" + velocity + "}\n");
 }
 
 } // namespace reference::openfoam

@@ -4,6 +4,8 @@
 #include "reference/openfoam/foam_mesh.hpp"
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace reference::openfoam {
@@ -25,8 +27,27 @@ struct Units {
 /// The units of a case; the pressure unit is zero when no two faces have different pressures.
 Units units_of(const pfv::Case& problem);
 
+/// The packing in these units.
+pfv::Packing in_units(const pfv::Packing& packing, const Units& units);
+
+/// A dictionary or field: OpenFOAM's header of this class and the text. Throws pfv::SolveError when it cannot be
+/// written.
+void write_foam_file(const std::filesystem::path& file, std::string_view kind, std::string_view text);
+
+/// What simpleFoam is told that suits one kind of mesh better than another.
+struct SolverSettings {
+  std::string gradient; // scheme
+  double relaxation;    // of the momentum equation
+  /// Of the residuals: the permeability is within 1e-6 of the one where they vanish.
+  double tolerance = 1e-6;
+};
+
 /// system/ and constant/: schemes, solvers and the fluxes through `open_faces` recorded on the way.
-void write_dictionaries(const std::filesystem::path& folder, const std::vector<std::string>& open_faces);
+void write_dictionaries(const std::filesystem::path& folder, const std::vector<std::string>& open_faces,
+                        const SolverSettings& settings);
+
+/// system/decomposeParDict: slices of the same thickness across the longest side of the box.
+void write_decomposition(const std::filesystem::path& folder, const pfv::Box& box, int ranks);
 
 /// 0/p and 0/U: pressure faces, slip walls, no slip on spheres and bridges.
 void write_fields(const std::filesystem::path& folder, const FoamMesh& mesh, const pfv::Case& problem);

@@ -18,12 +18,25 @@ struct SurfacePoint {
   double area = 0;
 };
 
-double mean_depth(const FoamMesh& mesh, std::size_t face, const pfv::Sphere& sphere) {
-  const auto& [i, j, k] = mesh.faces[face];
-  const pfv::Vec3 a = mesh.points[i] - sphere.centre, b = mesh.points[j] - sphere.centre,
-                  c = mesh.points[k] - sphere.centre;
-  const double mean_square = (a.squaredNorm() + b.squaredNorm() + c.squaredNorm() + (a + b + c).squaredNorm()) / 12;
-  return (sphere.radius * sphere.radius - mean_square) / (2 * sphere.radius);
+struct Depth {
+  double area = 0;
+  double times_area = 0; // integral of the depth below the sphere
+};
+
+// Over the triangles between the sides of a face and its middle.
+Depth depth_of(const FoamMesh& mesh, std::size_t face, const pfv::Sphere& sphere) {
+  Depth sum;
+  const auto corners = mesh.face(face);
+  const pfv::Vec3 c = mesh.middle(face) - sphere.centre;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const pfv::Vec3 a = mesh.points[corners[k]] - sphere.centre;
+    const pfv::Vec3 b = mesh.points[corners[(k + 1) % corners.size()]] - sphere.centre;
+    const double mean_square = (a.squaredNorm() + b.squaredNorm() + c.squaredNorm() + (a + b + c).squaredNorm()) / 12;
+    const double area = (b - a).cross(c - a).norm() / 2;
+    sum.area += area;
+    sum.times_area += area * (sphere.radius * sphere.radius - mean_square) / (2 * sphere.radius);
+  }
+  return sum;
 }
 
 std::vector<SurfacePoint> surface_points(const FoamMesh& mesh, const std::vector<pfv::Sphere>& spheres) {
@@ -33,16 +46,16 @@ std::vector<SurfacePoint> surface_points(const FoamMesh& mesh, const std::vector
       continue;
     const auto* surface = std::get_if<SphereSurface>(&patch.part);
     for (std::size_t face = patch.first; face < patch.first + patch.faces; ++face) {
-      const double area = mesh.area(face).norm();
-      for (const std::size_t index : mesh.faces[face]) {
+      const Depth depth = surface ? depth_of(mesh, face, spheres[surface->sphere]) : Depth{};
+      for (const std::size_t index : mesh.face(face)) {
         SurfacePoint& point = points[index];
         if (!surface || (point.sphere && *point.sphere != surface->sphere)) {
           point.elsewhere = true;
           continue;
         }
         point.sphere = surface->sphere;
-        point.deficit += area * mean_depth(mesh, face, spheres[surface->sphere]);
-        point.area += area;
+        point.deficit += depth.times_area;
+        point.area += depth.area;
       }
     }
   }
@@ -76,17 +89,17 @@ bool turned(const FoamMesh& mesh, std::size_t face) {
 void put_back_turned(FoamMesh& mesh, const std::vector<pfv::Vec3>& before, std::vector<char>& has_moved) {
   for (bool again = true; again;) {
     again = false;
-    for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
+    for (std::size_t face = 0; face < mesh.faces(); ++face) {
       if (!turned(mesh, face))
         continue;
-      for (const std::size_t point : mesh.faces[face])
+      for (const std::size_t point : mesh.face(face))
         if (has_moved[point]) {
           mesh.points[point] = before[point];
           has_moved[point] = false;
           again = true;
         }
     }
-    mesh.cell_centres = tetrahedron_centres(mesh);
+    mesh.cell_centres = cell_centres(mesh);
   }
 }
 
@@ -104,7 +117,7 @@ std::size_t fill_out_spheres(FoamMesh& mesh, const pfv::Packing& packing) {
     mesh.points[index] = moved(before[index], sphere.centre, sphere.radius + point.deficit / point.area, packing.box);
     has_moved[index] = true;
   }
-  mesh.cell_centres = tetrahedron_centres(mesh);
+  mesh.cell_centres = cell_centres(mesh);
   put_back_turned(mesh, before, has_moved);
   return static_cast<std::size_t>(std::ranges::count(has_moved, true));
 }

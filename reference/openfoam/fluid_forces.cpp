@@ -1,5 +1,6 @@
 #include "reference/openfoam/fluid_forces.hpp"
 
+#include "reference/cut_spheres.hpp"
 #include "reference/openfoam/disc.hpp"
 #include "reference/openfoam/traction.hpp"
 
@@ -29,17 +30,6 @@ double area_of(const FoamMesh& mesh, const MeshPatch& patch) {
   for (std::size_t face = patch.first; face < patch.first + patch.faces; ++face)
     area += mesh.area(face).norm();
   return area;
-}
-
-// Area that a face of the box cuts out of a sphere.
-double cut_area(const pfv::Sphere& sphere, pfv::Face face, const pfv::Box& box) {
-  const int axis = pfv::index(pfv::axis_of(face));
-  const double offset = position(face, box) - sphere.centre[axis];
-  const double squared = sphere.radius * sphere.radius - offset * offset;
-  if (squared <= 0)
-    return 0;
-  const pfv::Vec3 normal = pfv::Vec3::Unit(axis);
-  return area_inside({sphere.centre + offset * normal, normal, std::sqrt(squared)}, box);
 }
 
 class ForceSum {
@@ -93,12 +83,7 @@ public:
 
   FluidForces mirrored() const {
     FluidForces forces = forces_;
-    for (const pfv::Face face : pfv::all_faces) {
-      const int axis = pfv::index(pfv::axis_of(face));
-      for (std::size_t k = 0; !open(face) && k < spheres_.size(); ++k)
-        if (std::abs(spheres_[k].centre[axis] - position(face, box_)) < 1e-9 * box_.size()[axis])
-          forces.on_spheres[k][axis] = 0;
-    }
+    give_normal_parts_to_slip_walls(problem_, forces.on_spheres, forces.on_faces);
     return forces;
   }
 

@@ -20,7 +20,7 @@ struct FluidForces {
 /// - a pressure face acts on the discs that spheres cut out of it, each sphere's in proportion to its exact area, and
 /// so
 ///   carries its pressure over its whole area.
-/// A sphere centred on a slip wall is half of a mirrored pair and carries no force normal to the wall.
+/// A sphere centred on a slip wall is half of a mirrored pair: its force normal to the wall is the wall's.
 FluidForces fluid_forces(const FoamMesh& mesh, const FlowFields& fields, const pfv::Case& problem,
                          const std::vector<meshing::Bridge>& bridges);
 

@@ -23,19 +23,18 @@ std::vector<pfv::Vec3> read_points(const std::filesystem::path& file) {
   return points;
 }
 
-std::vector<std::array<std::size_t, 3>> read_faces(const std::filesystem::path& file) {
+void read_faces(const std::filesystem::path& file, FoamMesh& mesh) {
   FoamReader in(file);
   in.skip_header();
-  std::vector<std::array<std::size_t, 3>> faces(in.count());
+  std::size_t faces = in.count();
+  mesh.first_corner.reserve(faces + 1);
   in.expect('(');
-  for (auto& face : faces) {
-    in.expect('3');
-    in.expect('(');
-    for (std::size_t& point : face)
-      point = in.count();
-    in.expect(')');
+  for (std::vector<std::size_t> face; faces > 0; --faces) {
+    face = in.counts();
+    if (face.size() < 3 || std::ranges::max(face) >= mesh.points.size())
+      throw pfv::SolveError("OpenFOAM's mesh has a face without three points of the mesh");
+    mesh.add_face(face);
   }
-  return faces;
 }
 
 std::vector<std::size_t> read_cells(const std::filesystem::path& file) {
@@ -63,33 +62,75 @@ std::vector<MeshPatch> read_patches(const std::filesystem::path& file) {
 
 } // namespace
 
+void FoamMesh::add_face(std::span<const std::size_t> points_of_face) {
+  corners.insert(corners.end(), points_of_face.begin(), points_of_face.end());
+  first_corner.push_back(corners.size());
+}
+
+pfv::Vec3 FoamMesh::middle(std::size_t face) const {
+  pfv::Vec3 sum = pfv::Vec3::Zero();
+  for (const std::size_t corner : this->face(face))
+    sum += points[corner];
+  return sum / static_cast<double>(this->face(face).size());
+}
+
 pfv::Vec3 FoamMesh::centre(std::size_t face) const {
-  const auto& [a, b, c] = faces[face];
-  return (points[a] + points[b] + points[c]) / 3;
+  const auto corners_of_face = this->face(face);
+  const pfv::Vec3 top = middle(face);
+  if (corners_of_face.size() == 3)
+    return top;
+  pfv::Vec3 sum = pfv::Vec3::Zero();
+  double area = 0;
+  for (std::size_t k = 0; k < corners_of_face.size(); ++k) {
+    const pfv::Vec3 a = points[corners_of_face[k]], b = points[corners_of_face[(k + 1) % corners_of_face.size()]];
+    const double part = (b - a).cross(top - a).norm();
+    sum += part * (a + b + top) / 3;
+    area += part;
+  }
+  return area > 0 ? pfv::Vec3(sum / area) : top;
 }
 
 pfv::Vec3 FoamMesh::area(std::size_t face) const {
-  const auto& [a, b, c] = faces[face];
-  return 0.5 * (points[b] - points[a]).cross(points[c] - points[a]);
+  const auto corners_of_face = this->face(face);
+  const pfv::Vec3& first = points[corners_of_face.front()];
+  pfv::Vec3 sum = pfv::Vec3::Zero();
+  for (std::size_t k = 1; k + 1 < corners_of_face.size(); ++k)
+    sum += (points[corners_of_face[k]] - first).cross(points[corners_of_face[k + 1]] - first);
+  return sum / 2;
 }
 
-// Each corner of a tetrahedron belongs to three of its four faces.
-std::vector<pfv::Vec3> tetrahedron_centres(const FoamMesh& mesh) {
+std::vector<pfv::Vec3> cell_centres(const FoamMesh& mesh) {
   // The cell numbered last may own no face at all.
-  const std::size_t last = std::max(std::ranges::max(mesh.owner), std::ranges::max(mesh.neighbour));
-  std::vector<pfv::Vec3> centres(last + 1, pfv::Vec3::Zero());
-  for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
-    const pfv::Vec3 part = mesh.centre(face) / 4;
-    centres[mesh.owner[face]] += part;
-    if (face < mesh.neighbour.size())
-      centres[mesh.neighbour[face]] += part;
-  }
-  return centres;
+  const std::size_t cells = std::max(std::ranges::max(mesh.owner), std::ranges::max(mesh.neighbour)) + 1;
+  std::vector<pfv::Vec3> tops(cells, pfv::Vec3::Zero()), sums(cells, pfv::Vec3::Zero());
+  std::vector<double> faces(cells), volumes(cells);
+  const auto for_each_side = [&](const auto& visit) {
+    for (std::size_t face = 0; face < mesh.faces(); ++face) {
+      const pfv::Vec3 centre = mesh.centre(face), area = mesh.area(face);
+      visit(mesh.owner[face], centre, area);
+      if (face < mesh.neighbour.size())
+        visit(mesh.neighbour[face], centre, -area);
+    }
+  };
+  for_each_side([&](std::size_t cell, const pfv::Vec3& centre, const pfv::Vec3&) {
+    tops[cell] += centre;
+    ++faces[cell];
+  });
+  for (std::size_t cell = 0; cell < cells; ++cell)
+    tops[cell] /= faces[cell];
+  for_each_side([&](std::size_t cell, const pfv::Vec3& centre, const pfv::Vec3& area) {
+    const double volume = area.dot(centre - tops[cell]) / 3;
+    sums[cell] += volume * (0.75 * centre + 0.25 * tops[cell]);
+    volumes[cell] += volume;
+  });
+  for (std::size_t cell = 0; cell < cells; ++cell)
+    tops[cell] = volumes[cell] > 0 ? pfv::Vec3(sums[cell] / volumes[cell]) : tops[cell];
+  return tops;
 }
 
 double volume(const FoamMesh& mesh) {
   double sum = 0;
-  for (std::size_t face = mesh.neighbour.size(); face < mesh.faces.size(); ++face)
+  for (std::size_t face = mesh.neighbour.size(); face < mesh.faces(); ++face)
     sum += mesh.centre(face).dot(mesh.area(face)) / 3;
   return sum;
 }
@@ -98,13 +139,13 @@ FoamMesh read_mesh(const std::filesystem::path& case_folder) {
   const auto folder = case_folder / "constant" / "polyMesh";
   FoamMesh mesh;
   mesh.points = read_points(folder / "points");
-  mesh.faces = read_faces(folder / "faces");
+  read_faces(folder / "faces", mesh);
   mesh.owner = read_cells(folder / "owner");
   mesh.neighbour = read_cells(folder / "neighbour");
   mesh.patches = read_patches(folder / "boundary");
-  if (mesh.owner.size() != mesh.faces.size() || mesh.neighbour.empty())
+  if (mesh.owner.size() != mesh.faces() || mesh.neighbour.empty())
     throw pfv::SolveError("OpenFOAM's mesh has no interior or an owner list of the wrong length");
-  mesh.cell_centres = tetrahedron_centres(mesh);
+  mesh.cell_centres = cell_centres(mesh);
   return mesh;
 }
 

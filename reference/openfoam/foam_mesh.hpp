@@ -3,8 +3,8 @@
 #include "pfv/problem/vec3.hpp"
 #include "reference/openfoam/patches.hpp"
 
-#include <array>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,21 +17,30 @@ struct MeshPatch {
   std::size_t faces;
 };
 
-/// A mesh of tetrahedra as OpenFOAM numbers it: faces of the interior first, then patch by patch.
+/// A mesh of polyhedra as OpenFOAM numbers it: faces of the interior first, then patch by patch.
 struct FoamMesh {
   std::vector<pfv::Vec3> points;
-  std::vector<std::array<std::size_t, 3>> faces;
-  std::vector<std::size_t> owner;     // cell by face; the face's normal points out of it
-  std::vector<std::size_t> neighbour; // cell on the other side, of the interior faces only
+  std::vector<std::size_t> corners;         // points of all faces, one face after the other
+  std::vector<std::size_t> first_corner{0}; // by face, and the end of the last
+  std::vector<std::size_t> owner;           // cell by face; the face's normal points out of it
+  std::vector<std::size_t> neighbour;       // cell on the other side, of the interior faces only
   std::vector<MeshPatch> patches;
   std::vector<pfv::Vec3> cell_centres;
 
   std::size_t cells() const { return cell_centres.size(); }
-  pfv::Vec3 centre(std::size_t face) const;
-  pfv::Vec3 area(std::size_t face) const; // normal times area
+  std::size_t faces() const { return first_corner.size() - 1; }
+  std::span<const std::size_t> face(std::size_t face) const {
+    return std::span(corners).subspan(first_corner[face], first_corner[face + 1] - first_corner[face]);
+  }
+  void add_face(std::span<const std::size_t> points_of_face);
+
+  pfv::Vec3 middle(std::size_t face) const; // mean of the corners
+  pfv::Vec3 centre(std::size_t face) const; // of the triangles between the sides and the middle, as OpenFOAM sees it
+  pfv::Vec3 area(std::size_t face) const;   // normal times area
 };
 
-std::vector<pfv::Vec3> tetrahedron_centres(const FoamMesh& mesh);
+/// Centroids, from the pyramids between the faces and the mean of their centres.
+std::vector<pfv::Vec3> cell_centres(const FoamMesh& mesh);
 
 /// Volume inside the patches.
 double volume(const FoamMesh& mesh);

@@ -16,7 +16,7 @@ namespace reference::openfoam {
 
 namespace {
 
-constexpr std::array programs{"gmshToFoam", "renumberMesh", "simpleFoam"};
+constexpr std::array programs{"gmshToFoam", "renumberMesh", "simpleFoam", "decomposePar", "reconstructPar"};
 
 std::filesystem::path project_folder() {
   const char* chosen = std::getenv("WM_PROJECT_DIR");
@@ -60,6 +60,24 @@ std::string ask_version() {
   return fmt::format("OpenFOAM {} (patch {})", release.str(1), patch.str(1));
 }
 
+// What ended a program, with the cause when it is that its folder can take no more.
+std::string cause(const std::string& program, const meshing::ChildResult& result,
+                  const meshing::ChildOptions& options) {
+  constexpr std::uintmax_t next_to_nothing = 1 << 16;
+  std::error_code error;
+  const auto space = std::filesystem::space(options.working_folder, error);
+  const char* full = !error && space.available < next_to_nothing ? " (the disk is full)" : "";
+  return fmt::format("{}: {}{}; its last words: {}", program, result.how_it_ended(), full, last_words(options.log));
+}
+
+meshing::ChildResult checked(const std::string& program, const std::vector<std::string>& arguments,
+                             const meshing::ChildOptions& options) {
+  const auto result = meshing::run_child(arguments, options);
+  if (!result.succeeded())
+    throw pfv::SolveError(cause(program, result, options));
+  return result;
+}
+
 } // namespace
 
 std::optional<std::string> missing_programs() {
@@ -81,11 +99,19 @@ meshing::ChildResult run_program(const std::filesystem::path& folder, const std:
                                  std::optional<double> wall_limit) {
   auto options = options_in(folder, arguments.front());
   options.wall_limit = wall_limit;
-  const auto result = meshing::run_child(arguments, options);
-  if (!result.succeeded())
-    throw pfv::SolveError(
-        fmt::format("{}: {}; its last words: {}", arguments.front(), result.how_it_ended(), last_words(options.log)));
-  return result;
+  return checked(arguments.front(), arguments, options);
+}
+
+meshing::ChildResult run_on_ranks(const std::filesystem::path& folder, const std::string& program, int ranks) {
+  if (!on_path("mpirun"))
+    throw pfv::SolveError(fmt::format("{} ranks need mpirun on PATH (Debian package openmpi-bin)", ranks));
+  auto options = options_in(folder, program);
+  options.environment.insert({{"OMPI_ALLOW_RUN_AS_ROOT", "1"},
+                              {"OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"},
+                              {"OMPI_MCA_mpi_yield_when_idle", "1"}});
+  return checked(program,
+                 {"mpirun", "--oversubscribe", "--bind-to", "none", "-np", std::to_string(ranks), program, "-parallel"},
+                 options);
 }
 
 } // namespace reference::openfoam

@@ -21,4 +21,7 @@ std::string program_version();
 meshing::ChildResult run_program(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
                                  std::optional<double> wall_limit = std::nullopt);
 
+/// The same on several ranks by mpirun, in a case that decomposePar has prepared, also as root and on fewer cores.
+meshing::ChildResult run_on_ranks(const std::filesystem::path& folder, const std::string& program, int ranks);
+
 } // namespace reference::openfoam

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <sstream>
 
 namespace studies {
@@ -28,6 +29,16 @@ void write_out(const pfv::Packing& packing, const std::filesystem::path& asked, 
   write_file(full, text.str());
 }
 
+// The case of a file, or what `otherwise` gives when it is not there or damaged.
+pfv::Case read_or(const std::filesystem::path& file, const std::function<pfv::Case()>& otherwise) {
+  if (std::filesystem::exists(file))
+    try {
+      return pfv::read_case(file);
+    } catch (const pfv::InputError&) {
+    }
+  return otherwise();
+}
+
 } // namespace
 
 StoredCase store_case(const StudyCase& one, const std::filesystem::path& folder, const std::string& generation) {
@@ -35,13 +46,14 @@ StoredCase store_case(const StudyCase& one, const std::filesystem::path& folder,
   const auto full = folder / fmt::format("{}-{}.toml", one.id, question);
   // What a packing file holds may have changed since; what a generator makes cannot have.
   const bool generated = one.toml.find("generator") != std::string::npos;
+  const auto write_anew = [&] {
+    const auto asked = folder / fmt::format("{}-{}.question.toml", one.id, question);
+    write_file(asked, one.toml);
+    write_out(pfv::read_case(asked).packing, asked, full, one.id);
+    return pfv::read_case(full);
+  };
   try {
-    if (!generated || !std::filesystem::exists(full)) {
-      const auto asked = folder / fmt::format("{}-{}.question.toml", one.id, question);
-      write_file(asked, one.toml);
-      write_out(pfv::read_case(asked).packing, asked, full, one.id);
-    }
-    StoredCase stored{pfv::read_case(full), {}, full};
+    StoredCase stored{generated ? read_or(full, write_anew) : write_anew(), {}, full};
     stored.digest = pfv::digest(stored.problem);
     return stored;
   } catch (const std::runtime_error& error) {

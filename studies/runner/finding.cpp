@@ -6,12 +6,35 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace studies {
 
 namespace {
 
+using Answers = std::vector<std::optional<reference::Answer>>;
 using Field = std::optional<std::vector<double>>;
+
+std::string damaged(const std::string& how) {
+  return "its stored answer is damaged: " + how;
+}
+
+// By row; nothing for a row without an answer or whose answer is not there. A row whose answer is damaged has failed.
+Answers read_answers(std::vector<Row>& rows, const std::filesystem::path& answers) {
+  Answers read(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto file = answer_file(answers, rows[i].key);
+    if (rows[i].status != Status::answered || !std::filesystem::exists(file))
+      continue;
+    try {
+      read[i] = reference::answer_from_json(pfv::read_text(file));
+    } catch (const std::runtime_error& error) {
+      rows[i].status = Status::failed;
+      rows[i].message = damaged(error.what());
+    }
+  }
+  return read;
+}
 
 Field components(const reference::Answer& answer) {
   if (!answer.sphere_forces)
@@ -31,43 +54,31 @@ Field pore_pressures(const reference::Answer& answer) {
   return std::vector(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(pores->second));
 }
 
-// What all answers have, each of another mesh.
+// What all answered rows have, each of another mesh.
 template <class Take>
-std::optional<BoundedField> bounded(const std::vector<reference::Answer>& answers, std::optional<double> order,
-                                    Take take) {
+std::optional<BoundedField> bounded(const std::vector<Row>& rows, const Answers& answers, Take take) {
   std::vector<double> mesh_sizes;
   std::vector<std::vector<double>> fields;
-  for (const reference::Answer& answer : answers) {
-    Field field = take(answer);
+  std::optional<double> order;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].status != Status::answered)
+      continue;
+    Field field = answers[i] ? take(*answers[i]) : std::nullopt;
     if (!field)
       return std::nullopt;
-    mesh_sizes.push_back(answer.mesh_size);
+    mesh_sizes.push_back(rows[i].mesh_size);
     fields.push_back(std::move(*field));
+    order = rows[i].convergence_order;
   }
   return extrapolate_field(mesh_sizes, fields, order);
 }
 
-// Nothing when one is missing.
-std::vector<reference::Answer> read_answers(const std::vector<Row>& answered, const std::filesystem::path& answers) {
-  std::vector<reference::Answer> list;
-  for (const Row& row : answered) {
-    const auto file = answer_file(answers, row.key);
-    if (!std::filesystem::exists(file))
-      return {};
-    list.push_back(reference::answer_from_json(pfv::read_text(file)));
-    list.back().mesh_size = row.mesh_size;
-  }
-  return list;
-}
-
-void add_fields(const std::vector<reference::Answer>& answers, std::optional<double> order, Finding& finding) {
-  if (answers.empty())
-    return;
-  finding.forces = bounded(answers, order, components);
-  finding.pore_pressures = bounded(answers, order, pore_pressures);
-  finding.throat_fluxes = bounded(answers, order, [](const reference::Answer& answer) { return answer.facet_fluxes; });
-  if (const auto drop = answers.back().counts.find(reference::pressure_drop_count); drop != answers.back().counts.end())
-    finding.pressure_drop = drop->second;
+std::optional<double> pressure_drop(const Answers& answers) {
+  for (const auto& answer : answers)
+    if (answer)
+      if (const auto drop = answer->counts.find(reference::pressure_drop_count); drop != answer->counts.end())
+        return drop->second;
+  return std::nullopt;
 }
 
 std::optional<Bounded> bounded_permeability(const std::vector<Row>& answered) {
@@ -100,18 +111,33 @@ std::string Finding::trouble() const {
 
 Finding find(std::vector<Row> rows, const std::filesystem::path& answers) {
   std::ranges::sort(rows, std::ranges::greater{}, &Row::mesh_size);
+  const Answers read = read_answers(rows, answers);
   Finding finding{rows.front().case_id, rows.front().method, rows, {}};
   std::vector<Row> answered;
   std::ranges::copy_if(rows, std::back_inserter(answered), has_answer);
   if (answered.empty())
     return finding;
   finding.permeability = bounded_permeability(answered);
-  add_fields(read_answers(answered, answers), answered.back().convergence_order, finding);
+  finding.forces = bounded(rows, read, components);
+  finding.pore_pressures = bounded(rows, read, pore_pressures);
+  finding.throat_fluxes = bounded(rows, read, [](const reference::Answer& answer) { return answer.facet_fluxes; });
+  finding.pressure_drop = pressure_drop(read);
   return finding;
 }
 
 std::filesystem::path answer_file(const std::filesystem::path& answers, const std::string& key) {
   return answers / (key + ".json");
+}
+
+std::optional<std::string> damage_of(const std::filesystem::path& answer_file) {
+  if (!std::filesystem::exists(answer_file))
+    return "its stored answer is gone";
+  try {
+    reference::answer_from_json(pfv::read_text(answer_file));
+    return std::nullopt;
+  } catch (const std::runtime_error& error) {
+    return damaged(error.what());
+  }
 }
 
 } // namespace studies

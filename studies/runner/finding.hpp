@@ -28,11 +28,15 @@ struct Finding {
   std::string trouble() const;
 };
 
-/// Extrapolates the answered runs of one case and method (rows in any order, at least one). Forces and
-/// samples come from the answers in `answers`, absent when a run's answer has none or is not there.
+/// Extrapolates the answered runs of one case and method (rows in any order, at least one). Forces and samples come from
+/// the answers in `answers`, absent when a run's answer has none or is not there. A run whose answer cannot be read has
+/// failed.
 Finding find(std::vector<Row> rows, const std::filesystem::path& answers);
 
 /// Where the answer of a run is stored.
 std::filesystem::path answer_file(const std::filesystem::path& answers, const std::string& key);
+
+/// Why a stored answer cannot be used: it is missing or not what was written; nothing when it can.
+std::optional<std::string> damage_of(const std::filesystem::path& answer_file);
 
 } // namespace studies

@@ -116,6 +116,7 @@ Progress::~Progress() = default;
 
 Onlooker Progress::onlooker() {
   Onlooker onlooker;
+  onlooker.noticed = [state = state_](const std::string& what) { state->line("  " + what); };
   onlooker.preparing = [state = state_](const std::string& id) { state->line("  preparing " + id); };
   onlooker.planned = [state = state_](std::size_t stored, std::size_t all) {
     state->line(fmt::format("  {} runs, {} to do", all, all - stored));

@@ -57,7 +57,7 @@ Table method_notes(std::span<const Row> rows, const std::filesystem::path& answe
     if (!row.method_version.empty())
       notes[{row.method, "version"}].insert(row.method_version);
     const auto file = answer_file(answers, row.key);
-    if (row.status != Status::answered || !std::filesystem::exists(file))
+    if (row.status != Status::answered || damage_of(file))
       continue;
     for (const auto& [name, value] : reference::answer_from_json(pfv::read_text(file)).notes)
       notes[{row.method, name}].insert(value);

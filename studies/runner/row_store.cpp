@@ -2,6 +2,7 @@
 
 #include "pfv/problem/error.hpp"
 #include "pfv/problem/text.hpp"
+#include "studies/runner/files.hpp"
 
 #include <fmt/format.h>
 
@@ -18,13 +19,14 @@ namespace {
 struct StoredRows {
   std::vector<Row> rows;
   std::size_t complete_bytes = 0;
+  std::vector<std::string> damage; // by record that cannot be read
 };
 
 StoredRows load(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file))
     return {};
   const CsvText text = parse_csv(pfv::read_text(file));
-  StoredRows stored{{}, text.complete_bytes};
+  StoredRows stored{{}, text.complete_bytes, {}};
   if (text.records.empty())
     return stored;
   if (text.records.front() != row_columns())
@@ -34,10 +36,21 @@ StoredRows load(const std::filesystem::path& file) {
     try {
       stored.rows.push_back(row_from(text.records[i]));
     } catch (const pfv::InputError& error) {
-      throw pfv::InputError(fmt::format("{}: record {}: {}", file.string(), i, error.what()));
+      stored.damage.push_back(fmt::format("{}: record {}: {}", file.string(), i, error.what()));
     }
   }
   return stored;
+}
+
+void rewrite(const std::filesystem::path& file, StoredRows& stored) {
+  std::string text = to_csv(row_columns());
+  for (const Row& row : stored.rows)
+    text += to_csv(to_record(row));
+  std::filesystem::path damaged = file;
+  damaged += ".damaged";
+  std::filesystem::copy_file(file, damaged, std::filesystem::copy_options::overwrite_existing);
+  write_file(file, text);
+  stored.complete_bytes = text.size();
 }
 
 [[noreturn]] void cannot(const std::string& what, const std::filesystem::path& file) {
@@ -54,7 +67,10 @@ int open_or_throw(const std::filesystem::path& file, int flags) {
 } // namespace
 
 std::vector<Row> read_rows(const std::filesystem::path& file) {
-  return load(file).rows;
+  StoredRows stored = load(file);
+  if (!stored.damage.empty())
+    throw pfv::InputError(stored.damage.front());
+  return std::move(stored.rows);
 }
 
 RowStore::RowStore(const std::filesystem::path& folder, bool fresh) : file_(folder / "rows.csv") {
@@ -66,6 +82,12 @@ RowStore::RowStore(const std::filesystem::path& folder, bool fresh) : file_(fold
   }
   try {
     StoredRows stored = fresh ? StoredRows{} : load(file_);
+    if (!stored.damage.empty()) {
+      rewrite(file_, stored);
+      repaired_ = fmt::format("{}; {} left out, kept in {}.damaged, and done again", stored.damage.front(),
+                              stored.damage.size() == 1 ? "it was" : fmt::format("{} such were", stored.damage.size()),
+                              file_.filename().string());
+    }
     rows_ = std::move(stored.rows);
     rows_file_ = open_or_throw(file_, O_WRONLY | O_APPEND);
     if (::ftruncate(rows_file_, static_cast<off_t>(stored.complete_bytes)) != 0)

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <thread>
 
 namespace studies {
 
@@ -22,6 +23,36 @@ double seconds_since(WallClock::time_point start) {
   return std::chrono::duration<double>(WallClock::now() - start).count();
 }
 
+// The temporary folder of one run. A process that is killed cannot tidy up after itself, and its children, killed with
+// it, may still be writing for a moment.
+class Scratch {
+public:
+  explicit Scratch(std::filesystem::path folder) : folder_(std::filesystem::absolute(folder)) { renew(); }
+  ~Scratch() { clear(); }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+  void renew() const {
+    clear();
+    std::filesystem::create_directories(folder_);
+  }
+  std::string name() const { return folder_.string(); }
+
+private:
+  void clear() const {
+    using namespace std::chrono_literals;
+    std::error_code error;
+    for (int tries = 0; tries < 20; ++tries) {
+      std::filesystem::remove_all(folder_, error);
+      if (!error && !std::filesystem::exists(folder_, error))
+        return;
+      std::this_thread::sleep_for(50ms);
+    }
+  }
+
+  std::filesystem::path folder_;
+};
+
 struct Attempt {
   meshing::ChildResult child;
   double wall_seconds = 0;
@@ -29,13 +60,15 @@ struct Attempt {
   reference::Answer answer;
 };
 
-Attempt attempt(const RunOrder& order) {
+Attempt attempt(const RunOrder& order, const Scratch& scratch) {
   std::filesystem::path out = order.answer_file;
   out += ".new";
   std::filesystem::remove(out);
   meshing::ChildOptions options;
   options.log = order.log;
   options.wall_limit = order.wall_limit;
+  options.environment.emplace("TMPDIR", scratch.name());
+  scratch.renew();
   for (const char* threads : {"OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "DEAL_II_NUM_THREADS"})
     options.environment.emplace(threads, "1");
   std::vector<std::string> command{order.study_executable.string(),
@@ -100,19 +133,15 @@ Row answered(const Attempt& attempt, int repeats) {
 
 } // namespace
 
-Row run(const RunOrder& order, const Repetition& repetition) {
+namespace {
+
+Row run_in(const Scratch& scratch, const RunOrder& order, const Repetition& repetition) {
   std::filesystem::create_directories(order.answer_file.parent_path());
   std::filesystem::create_directories(order.log.parent_path());
   const auto start = WallClock::now();
   std::vector<Attempt> attempts;
   do {
-    try {
-      attempts.push_back(attempt(order));
-    } catch (const pfv::InputError& unreadable_answer) {
-      Row row;
-      row.message = unreadable_answer.what();
-      return row;
-    }
+    attempts.push_back(attempt(order, scratch));
     if (!attempts.back().child.succeeded())
       return failed(attempts.back(), order.log);
   } while (static_cast<int>(attempts.size()) < repetition.enough_repeats &&
@@ -122,6 +151,18 @@ Row run(const RunOrder& order, const Repetition& repetition) {
   std::ranges::nth_element(attempts, median, {}, [](const Attempt& one) { return cost(one.answer.stages).total(); });
   write_file(order.answer_file, median->answer_text);
   return answered(*median, static_cast<int>(attempts.size()));
+}
+
+} // namespace
+
+Row run(const RunOrder& order, const Repetition& repetition) {
+  try {
+    return run_in(Scratch(order.scratch), order, repetition);
+  } catch (const std::exception& error) { // a process that cannot be started, an unreadable answer, a full disk
+    Row row;
+    row.message = error.what();
+    return row;
+  }
 }
 
 } // namespace studies

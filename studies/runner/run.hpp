@@ -22,6 +22,7 @@ struct RunOrder {
   double wall_limit = 1800;          // s, of each process
   std::filesystem::path answer_file; // where the kept answer goes
   std::filesystem::path log;         // what the processes print
+  std::filesystem::path scratch;     // their temporary folder ($TMPDIR), empty before each and gone after the last
 };
 
 /// A run shorter than `enough_seconds` of wall time is repeated, each time in a fresh process, until it took that long
@@ -32,7 +33,7 @@ struct Repetition {
 };
 
 /// What came of it: status, message, answer's scalars and cost. Identity and provenance are for the caller to fill in.
-/// A process that does not answer, for whatever reason, gives a failed row; throws only when it cannot be started.
+/// A process that does not answer, cannot be started or whose answer cannot be kept gives a failed row.
 Row run(const RunOrder& order, const Repetition& repetition = {});
 
 } // namespace studies

@@ -151,6 +151,9 @@ std::vector<Row> run_study(const Study& study, const Scope& scope, const RunSett
                            const Onlooker& onlooker) {
   const std::vector<PlannedRun> runs = plan(study, scope);
   RowStore store(settings.work.root, settings.fresh);
+  if (!store.repaired().empty())
+    onlooker.noticed(store.repaired());
+  std::filesystem::remove_all(settings.work.scratch()); // of a study that was killed
   if (settings.fresh)
     for (const auto& folder : {settings.work.answers(), settings.work.logs(), settings.work.cases()})
       std::filesystem::remove_all(folder);
@@ -169,6 +172,15 @@ std::vector<Row> run_study(const Study& study, const Scope& scope, const RunSett
     const reference::Method& method = reference::find_method(planned.method);
     Row row = identity(study, planned, stored, method);
     const Row* before = newest_with_key(store.rows(), row.key);
+    if (before && before->status == Status::answered) {
+      if (const auto damage = damage_of(answer_file(settings.work.answers(), row.key))) {
+        Row lost = *before;
+        lost.status = Status::failed;
+        lost.message = *damage;
+        store.append(lost);
+        before = &store.rows().back();
+      }
+    }
     if (before && (stands(*before, settings.retry_failed) || still_over(*before, study.budget))) {
       rows[i] = *before;
       continue;
@@ -186,7 +198,7 @@ std::vector<Row> run_study(const Study& study, const Scope& scope, const RunSett
                      row,
                      {settings.study_executable, stored.file, planned.method, planned.mesh_size, planned.ranks,
                       study.samples, study.budget.wall_seconds, answer_file(settings.work.answers(), row.key),
-                      settings.work.logs() / (row.key + ".log")}});
+                      settings.work.logs() / (row.key + ".log"), settings.work.scratch() / row.key}});
   }
   onlooker.planned(runs.size() - tasks.size(), runs.size());
 

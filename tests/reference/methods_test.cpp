@@ -29,7 +29,7 @@ TEST(Methods, HaveNamesOfTheirOwnAndOneLineEach) {
 }
 
 TEST(Methods, ComeInTheOrderOfTheTables) {
-  std::vector<std::string> expected{"stokes_fem", "openfoam", "closed_form", "exact"};
+  std::vector<std::string> expected{"stokes_fem", "openfoam", "openfoam_snappy", "closed_form", "exact"};
   std::vector<std::string> found;
   for (const auto& method : methods())
     if (std::ranges::count(expected, method->name()))
@@ -77,7 +77,7 @@ TEST(Methods, ThatMeshKnowOnlyWallsAndPressuresAndSayWhatElseIsAsked) {
       {case_with(pfv::Periodic{1}), "a periodic face on z_min"},
       {case_with(pfv::Pressure{0}), "a pressure at a point"}};
   asked.back().first.pressure_points = {{pfv::Vec3(0.5, 0.5, 0.5), 1}};
-  for (const char* name : {"stokes_fem", "openfoam"})
+  for (const char* name : {"stokes_fem", "openfoam", "openfoam_snappy"})
     for (const auto& [problem, words] : asked)
       EXPECT_TRUE(find_method(name).unavailable() ||
                   (std::string_view(name) == "stokes_fem" && words.starts_with("a periodic face")) ||

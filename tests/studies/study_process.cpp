@@ -7,6 +7,7 @@
 #include <fcntl.h>
 #include <pty.h>
 #include <sstream>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -40,12 +41,17 @@ void redirect(int stream, const std::filesystem::path& file) {
 
 } // namespace
 
-StudyOutput study(const Arguments& arguments, const Environment& environment) {
+StudyOutput study(const Arguments& arguments, const Environment& environment, std::optional<std::size_t> largest_file) {
   const TemporaryFolder folder;
   const int pid = ::fork();
   if (pid == 0) {
     redirect(STDOUT_FILENO, folder.path() / "out");
     redirect(STDERR_FILENO, folder.path() / "err");
+    if (largest_file) {
+      const rlimit limit{*largest_file, *largest_file};
+      ::setrlimit(RLIMIT_FSIZE, &limit);
+      ::signal(SIGXFSZ, SIG_IGN); // for the error of the write instead
+    }
     become_study(arguments, environment);
   }
   int status = 0;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,9 +13,10 @@ struct StudyOutput {
   std::string err;
 };
 
-/// Runs `study` with these arguments and waits. `environment` is added; an empty value takes the variable away.
-StudyOutput study(const std::vector<std::string>& arguments,
-                  const std::map<std::string, std::string>& environment = {});
+/// Runs `study` with these arguments and waits. `environment` is added; an empty value takes the variable away. No file
+/// written by it or its children can grow beyond `largest_file` bytes: as on a full disk, writing fails there.
+StudyOutput study(const std::vector<std::string>& arguments, const std::map<std::string, std::string>& environment = {},
+                  std::optional<std::size_t> largest_file = std::nullopt);
 
 /// A running `study`, killed at the latest when this goes.
 class RunningStudy {

@@ -62,16 +62,16 @@ FoamMesh ball(int levels, const std::string& patch = "sphere_0") {
       const auto [found, added] = first_cell.try_emplace(std::minmax(a, b), cell);
       if (added)
         continue;
-      mesh.faces.push_back({a, b, mesh.points.size() - 1});
+      mesh.add_face(Triangle{a, b, mesh.points.size() - 1});
       mesh.owner.push_back(found->second);
       mesh.neighbour.push_back(cell);
     }
-  mesh.patches.push_back({patch, patch_named(patch), mesh.faces.size(), sphere.triangles.size()});
+  mesh.patches.push_back({patch, patch_named(patch), mesh.faces(), sphere.triangles.size()});
   for (std::size_t cell = 0; cell < sphere.triangles.size(); ++cell) {
-    mesh.faces.push_back(sphere.triangles[cell]);
+    mesh.add_face(sphere.triangles[cell]);
     mesh.owner.push_back(cell);
   }
-  mesh.cell_centres = tetrahedron_centres(mesh);
+  mesh.cell_centres = cell_centres(mesh);
   return mesh;
 }
 

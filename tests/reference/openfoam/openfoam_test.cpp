@@ -2,6 +2,7 @@
 
 #include "pfv/problem/error.hpp"
 #include "pfv/problem/generate.hpp"
+#include "reference/on_path.hpp"
 
 #include <gtest/gtest.h>
 
@@ -120,6 +121,46 @@ TEST_F(OpenFoam, TwoMeshesGiveTheTouchingSimpleCubicLattice) {
   EXPECT_LT(std::abs(fine), std::abs(coarse) / 2);
   const double extrapolated = fine + (fine - coarse) / (std::pow(1.5, *method_->convergence_order()) - 1);
   EXPECT_LT(std::abs(extrapolated), 0.02);
+}
+
+// The point-based gradients of OpenFOAM see less across the border of two ranks: 1e-4 on this coarse mesh.
+TEST_F(OpenFoam, RanksAgreeFarBelowTheErrorOfTheMesh) {
+  if (!on_path("mpirun"))
+    GTEST_SKIP() << "no mpirun";
+  const auto problem = touching(Lattice::simple_cubic);
+  pfv::Clock clock;
+  const auto two = method_->solve(problem, {.mesh_size = 5, .ranks = 2}, clock);
+  EXPECT_NEAR(*two.permeability / *answer(problem, 5).permeability, 1, 1e-3);
+}
+
+// A plane across the flow carries all of it, and pressure falls along it; nothing is known inside a sphere.
+TEST_F(OpenFoam, SamplesPressuresAndFluxes) {
+  const auto problem = touching(Lattice::bcc);
+  Request request{.mesh_size = 2};
+  for (const double z : {0.25, 0.5})
+    request.probes.facets.push_back({{0, 0, z}, {1, 0, z}, {1, 1, z}, {0, 1, z}});
+  request.probes.points = {{0.5, 0, 0.02}, {0.5, 0, 0.5}, {0.5, 0, 0.98}, {0.5, 0.5, 0.5}};
+  pfv::Clock clock;
+  const auto found = method_->solve(problem, request, clock);
+  ASSERT_TRUE(found.facet_fluxes && found.point_pressures);
+  for (const double flux : *found.facet_fluxes)
+    EXPECT_NEAR(flux / found.face_flux[5], 1, 0.03);
+  const auto& pressures = *found.point_pressures;
+  EXPECT_NEAR(pressures[0], 0, 0.1);
+  EXPECT_NEAR(pressures[1], 0.5, 0.02); // by symmetry, which the mesh does not have
+  EXPECT_NEAR(pressures[2], 1, 0.1);
+  EXPECT_TRUE(std::isnan(pressures[3]));
+  EXPECT_FALSE(answer(problem, 2).point_pressures);
+}
+
+// Nothing holds the fluid back along the open faces, so a little more passes.
+TEST_F(OpenFoam, FreeTangentialFlowLetsMoreThrough) {
+  auto problem = touching(Lattice::bcc);
+  const double held = *answer(problem, 2).permeability;
+  problem.faces = pfv::flow_along(pfv::Axis::z, 1, pfv::Tangential::free);
+  const double free = *answer(problem, 2).permeability;
+  EXPECT_GT(free, 1.001 * held);
+  EXPECT_LT(free, 1.3 * held);
 }
 
 TEST_F(OpenFoam, EstimateIsRightToAFactor) {

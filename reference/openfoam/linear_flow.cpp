@@ -1,0 +1,102 @@
+#include "reference/openfoam/linear_flow.hpp"
+
+#include <Eigen/Dense>
+#include <optional>
+
+namespace reference::openfoam {
+
+namespace {
+
+// What is known of the flow on a boundary face.
+struct OnBoundary {
+  std::optional<double> pressure;
+  enum class Velocity { none, no_slip, slip } velocity = Velocity::none;
+};
+
+std::vector<OnBoundary> on_boundaries(const FoamMesh& mesh, const pfv::Case& problem) {
+  const Units units = units_of(problem);
+  std::vector<OnBoundary> known(mesh.faces() - mesh.neighbour.size());
+  for (const MeshPatch& patch : mesh.patches) {
+    OnBoundary here;
+    if (const auto* face = std::get_if<pfv::Face>(&patch.part)) {
+      if (const auto* open = std::get_if<pfv::Pressure>(&problem.faces[static_cast<std::size_t>(pfv::index(*face))]))
+        here.pressure = (open->value - units.lower_pressure) / units.pressure;
+      else
+        here.velocity = OnBoundary::Velocity::slip;
+    } else {
+      here.velocity = OnBoundary::Velocity::no_slip;
+    }
+    for (std::size_t face = patch.first; face < patch.first + patch.faces; ++face)
+      known[face - mesh.neighbour.size()] = here;
+  }
+  return known;
+}
+
+// Sums of a weighted least-squares fit of a linear function.
+template <int Components>
+struct Fit {
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
+  Eigen::Matrix<double, 3, Components> right = Eigen::Matrix<double, 3, Components>::Zero();
+
+  void add(const pfv::Vec3& step, const Eigen::Matrix<double, 1, Components>& difference) {
+    const double weight = 1 / step.squaredNorm();
+    matrix += weight * step * step.transpose();
+    right += weight * step * difference;
+  }
+  // Too few neighbours in one direction: no slope there.
+  Eigen::Matrix<double, 3, Components> slope() const {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> parts(matrix);
+    Eigen::Matrix<double, 3, Components> sum = Eigen::Matrix<double, 3, Components>::Zero();
+    for (int k = 0; k < 3; ++k)
+      if (parts.eigenvalues()[k] > 0.03 * parts.eigenvalues()[2]) {
+        const pfv::Vec3 direction = parts.eigenvectors().col(k);
+        sum += direction * (direction.transpose() * right) / parts.eigenvalues()[k];
+      }
+    return sum;
+  }
+};
+
+} // namespace
+
+LinearFlow::LinearFlow(const FoamMesh& mesh, const CellSearch& search, const FlowFields& fields,
+                       const pfv::Case& problem)
+    : mesh_(mesh), fields_(fields) {
+  const auto known = on_boundaries(mesh, problem);
+  slopes_.reserve(mesh.cells());
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
+    const pfv::Vec3& centre = mesh.cell_centres[cell];
+    const pfv::Vec3& velocity = fields.velocity[cell];
+    Fit<1> pressure;
+    Fit<3> flow;
+    for (const std::size_t face : search.faces_of(cell)) {
+      if (face < mesh.neighbour.size()) {
+        const std::size_t other = mesh.owner[face] == cell ? mesh.neighbour[face] : mesh.owner[face];
+        const pfv::Vec3 step = mesh.cell_centres[other] - centre;
+        pressure.add(step, Eigen::Matrix<double, 1, 1>(fields.pressure[other] - fields.pressure[cell]));
+        flow.add(step, (fields.velocity[other] - velocity).transpose());
+        continue;
+      }
+      const OnBoundary& here = known[face - mesh.neighbour.size()];
+      const pfv::Vec3 step = mesh.centre(face) - centre;
+      if (here.pressure)
+        pressure.add(step, Eigen::Matrix<double, 1, 1>(*here.pressure - fields.pressure[cell]));
+      if (here.velocity == OnBoundary::Velocity::no_slip)
+        flow.add(step, -velocity.transpose());
+      if (here.velocity == OnBoundary::Velocity::slip) {
+        const pfv::Vec3 normal = mesh.area(face).normalized();
+        flow.add(step, -velocity.dot(normal) * normal.transpose());
+      }
+    }
+    slopes_.push_back({pressure.slope(), flow.slope().transpose()});
+  }
+}
+
+double LinearFlow::pressure(std::size_t cell, const pfv::Vec3& point) const {
+  return fields_.pressure[cell] + slopes_[cell].pressure.dot(point - mesh_.cell_centres[cell]);
+}
+
+pfv::Vec3 LinearFlow::velocity(std::size_t cell, const pfv::Vec3& point) const {
+  return fields_.velocity[cell] + slopes_[cell].velocity * (point - mesh_.cell_centres[cell]);
+}
+
+} // namespace reference::openfoam
