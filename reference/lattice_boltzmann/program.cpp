@@ -56,9 +56,12 @@ FlowReply run_lattice_flow(const FlowQuestion& question, int ranks, double wall_
   options.environment = {
       {"OMP_NUM_THREADS", "1"}, {"OMPI_ALLOW_RUN_AS_ROOT", "1"}, {"OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"}};
   const auto result = meshing::run_child(command(find_program(), ranks), options);
-  if (!result.succeeded())
-    throw pfv::SolveError(
-        fmt::format("lattice_flow: {}; its last words: {}", result.how_it_ended(), meshing::last_lines(options.log)));
+  if (!result.succeeded()) {
+    // The log of several processes ends with what MPI has to say of their end.
+    const auto cause = folder.path() / "failure.txt";
+    throw pfv::SolveError(fmt::format("lattice_flow: {}; its last words: {}", result.how_it_ended(),
+                                      meshing::last_lines(fs::exists(cause) ? cause : options.log)));
+  }
   try {
     return flow_reply_from_json(pfv::read_text(folder.path() / "reply.json"));
   } catch (const std::exception& error) {

@@ -76,6 +76,7 @@ FlowReply answer(const FlowQuestion& question) {
 } // namespace reference::lattice_boltzmann
 
 /// lattice_flow question.json reply.json
+/// Exit code 1 with the reason in failure.txt.
 int main(int argc, char** argv) {
   using namespace reference::lattice_boltzmann;
   if (argc != 3) {
@@ -96,6 +97,7 @@ int main(int argc, char** argv) {
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
+    std::ofstream("failure.txt") << error.what() << '\n';
   }
   MPI_Abort(MPI_COMM_WORLD, 1);
 }
