@@ -48,7 +48,7 @@ TEST_F(Snappy, HasTheVolumeAndCarriesThePressureDrop) {
   const auto problem = lattice(Lattice::simple_cubic, pfv::touching_solid_fraction(Lattice::simple_cubic));
   const auto found = answer(problem, 1.5);
   EXPECT_LT(std::abs(found.counts.at("volume_error")), 0.02);
-  EXPECT_EQ(found.counts.at("bridges"), 12);
+  EXPECT_EQ(found.counts.at("bridges"), 6);
   pfv::Vec3 sum = pfv::Vec3::Zero();
   for (const pfv::Vec3& force : *found.sphere_forces)
     sum += force;
