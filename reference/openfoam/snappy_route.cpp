@@ -44,7 +44,7 @@ public:
   /// Point-based gradients give the same to 0.05 %, least squares and pressures extrapolated to the walls to 2 %; none
   /// changes the error of the cells across the throats. 0.9 takes three quarters of the iterations of 0.93.
   SolverSettings solver() const override { return {"Gauss linear", 0.9}; }
-  double seconds_per_cell() const override { return 4e-4; }
+  double seconds_per_cell() const override { return 6e-4; }
 
   Made make(const std::filesystem::path& folder, const pfv::Case& problem, double mesh_size,
             pfv::Clock& clock) const override {
