@@ -5,8 +5,7 @@
 
 namespace reference::lattice_boltzmann {
 
-/// Unknowns: nineteen populations to each fluid voxel, counting the spheres whole. Seconds and bytes by fits to
-/// measurements.
-Estimate expected_cost(const pfv::Packing& packing, const VoxelGrid& grid, int ranks);
+/// Unknowns: nineteen populations to each fluid voxel. Seconds and bytes by fits to measurements.
+Estimate expected_cost(const pfv::Case& problem, const VoxelGrid& grid, int ranks);
 
 } // namespace reference::lattice_boltzmann

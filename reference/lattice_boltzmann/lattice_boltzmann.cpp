@@ -24,10 +24,13 @@ public:
   std::string version() const override { return PALABOS_VERSION; }
   std::optional<std::string> unavailable() const override { return missing_program(); }
   std::optional<std::string> not_covered(const pfv::Case& problem) const override { return beyond_lattice(problem); }
+  /// Of the scheme. What is left on lattices, 0.5 % from mesh size 0.7 on where no gap is thinner than two voxels,
+  /// falls unevenly: spheres lie differently to the voxels at each size. Gaps of one voxel converge with the first
+  /// order.
   std::optional<double> convergence_order() const override { return 2; }
   bool runs_on_ranks() const override { return true; }
   Estimate estimate(const pfv::Case& problem, const Request& request) const override {
-    return expected_cost(problem.packing, voxel_grid(problem.packing, request.mesh_size), request.ranks);
+    return expected_cost(problem, voxel_grid(problem.packing, request.mesh_size), request.ranks);
   }
   Answer solve(const pfv::Case& problem, const Request& request, pfv::Clock& clock) const override;
 };
@@ -50,7 +53,7 @@ Answer LatticeBoltzmann::solve(const pfv::Case& problem, const Request& request,
     throw pfv::SolveError(fmt::format("cubic voxels misfit the sides of the box by {:.2g} at mesh size {}", grid.misfit,
                                       request.mesh_size));
   const FlowQuestion question = question_of(problem, grid, request.probes);
-  const Estimate expected = expected_cost(problem.packing, grid, request.ranks);
+  const Estimate expected = expected_cost(problem, grid, request.ranks);
   const FlowReply reply = run_lattice_flow(question, request.ranks, 120 + 20 * expected.cpu_seconds);
   require_rest(question, reply);
   clock.add("mesh", reply.voxel_seconds);

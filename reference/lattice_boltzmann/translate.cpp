@@ -1,11 +1,10 @@
 #include "reference/lattice_boltzmann/translate.hpp"
 
 #include "reference/cut_spheres.hpp"
+#include "reference/lattice_boltzmann/pore_width.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 
 namespace reference::lattice_boltzmann {
 
@@ -63,18 +62,6 @@ std::vector<Vec3> forces_in_si(const pfv::Case& problem, const VoxelGrid& grid, 
   return forces;
 }
 
-// The answer does not depend on it, but how many steps it takes does: momentum spreads with it, pressure against it. So
-// it grows with the mean width of the pores, pore volume over wetted surface.
-double quickest_viscosity(const std::vector<pfv::Sphere>& in_voxels, double voxels) {
-  double solid = 0;
-  double surface = 0;
-  for (const auto& [centre, radius] : in_voxels) {
-    surface += 4 * std::numbers::pi * radius * radius;
-    solid += 4 * std::numbers::pi / 3 * radius * radius * radius;
-  }
-  return std::clamp((voxels - solid) / surface / 8, 0.5, 2.0);
-}
-
 } // namespace
 
 std::optional<std::string> beyond_lattice(const pfv::Case& problem) {
@@ -105,7 +92,7 @@ FlowQuestion question_of(const pfv::Case& problem, const VoxelGrid& grid, const 
   question.axis = mean_pressure(problem).axis;
   for (const auto& [centre, radius] : problem.packing.spheres)
     question.spheres.push_back({in_voxels(centre), radius / grid.size});
-  question.viscosity = quickest_viscosity(question.spheres, grid.count());
+  question.viscosity = void_measures(problem, grid).quickest_viscosity();
   for (const Vec3& point : probes.points)
     question.points.push_back(in_voxels(point));
   for (const auto& facet : probes.facets) {

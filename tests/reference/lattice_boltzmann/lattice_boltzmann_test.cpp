@@ -135,6 +135,34 @@ TEST_F(LatticeBoltzmann, RanksGiveTheSameAnswer) {
     EXPECT_NEAR(((*shared.sphere_forces)[k] - (*alone.sphere_forces)[k]).norm(), 0, 1e-9);
 }
 
+TEST_F(LatticeBoltzmann, DoesNotDependOnTheViscosityOfItsSteps) {
+  lattice_boltzmann::FlowQuestion question;
+  question.voxels = {16, 16, 16};
+  question.spheres = {{{8.2, 7.9, 8.1}, 6.3}, {{0.3, 0.1, 15.8}, 4.4}};
+  question.tolerance = 1e-7;
+  const auto conductance = [&](double viscosity) {
+    question.viscosity = viscosity;
+    return viscosity * lattice_boltzmann::run_lattice_flow(question, 1, 60).velocity;
+  };
+  const double one = conductance(1);
+  EXPECT_NEAR(conductance(0.2) / one, 1, 1e-5);
+  EXPECT_NEAR(conductance(0.05) / one, 1, 1e-5);
+}
+
+// Measured, not derived: within a factor of 2.5, which the budget of a study leaves room for.
+TEST_F(LatticeBoltzmann, KnowsItsCostBeforehand) {
+  for (const auto& packing : {pfv::lattice_packing(Lattice::bcc, 0.45, 1), pfv::nine_spheres(),
+                              pfv::random_packing({.spheres = 30, .solid_fraction = 0.4})}) {
+    const auto problem = through(packing);
+    const auto expected = method_->estimate(problem, {1.4, 1, {}});
+    const auto found = answer(problem, 1.4);
+    EXPECT_NEAR(expected.unknowns / static_cast<double>(found.unknowns), 1, 0.1);
+    EXPECT_NEAR(std::log(expected.memory_bytes / found.counts.at(memory_count)), 0, std::log(1.3));
+    const double per_step = 4.2e-8 * found.counts.at("voxels");
+    EXPECT_NEAR(std::log((expected.cpu_seconds - 0.2) / per_step / found.counts.at("steps")), 0, std::log(2.5));
+  }
+}
+
 TEST_F(LatticeBoltzmann, OneThatDoesNotEndIsStopped) {
   lattice_boltzmann::FlowQuestion question;
   question.voxels = {40, 40, 40};
