@@ -1,4 +1,3 @@
-#include "pfv/problem/error.hpp"
 #include "reference/closed_form/closed_form.hpp"
 #include "reference/exact/exact.hpp"
 #include "reference/lattice_boltzmann/lattice_boltzmann.hpp"
@@ -7,8 +6,6 @@
 #include "reference/pore_volumes/pore_volumes.hpp"
 #include "reference/stokes_fem/stokes_fem.hpp"
 #include "reference/yade/yade.hpp"
-
-#include <algorithm>
 
 namespace reference {
 
@@ -33,16 +30,6 @@ std::vector<std::unique_ptr<Method>> make_methods() {
 const std::vector<std::unique_ptr<Method>>& methods() {
   static const auto list = make_methods();
   return list;
-}
-
-const Method& find_method(const std::string& name) {
-  const auto found = std::ranges::find(methods(), name, [](const auto& method) { return method->name(); });
-  if (found != methods().end())
-    return **found;
-  std::string valid;
-  for (const auto& method : methods())
-    valid += (valid.empty() ? "" : ", ") + method->name();
-  throw pfv::InputError("unknown method '" + name + "'; it can be one of " + valid);
 }
 
 } // namespace reference

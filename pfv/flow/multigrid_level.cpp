@@ -3,36 +3,14 @@
 #include <algorithm>
 
 namespace pfv {
-namespace {
-
-// Rows are read four entries at a time, those of the next row as zeros: how many a row has cannot be foreseen, and a
-// wrong guess costs more than four products.
-constexpr int chunk = 4;
-
-/// Calls visit(column, value) for the entries of a row, and for some more with a value of zero: the entry `nothing`.
-template <class Visit>
-inline void visit_row(const int* start, const int* column, const float* value, int nothing, int row, Visit visit) {
-  const int end = start[row + 1];
-  int e = start[row];
-  do {
-    for (int k = 0; k < chunk; ++k) {
-      const int inside = -static_cast<int>(e + k < end); // all bits or none
-      const int at = ((e + k) & inside) | (nothing & ~inside);
-      visit(column[at], value[at]);
-    }
-    e += chunk;
-  } while (e < end);
-}
-
-} // namespace
 
 template <class Value>
 MultigridLevel::MultigridLevel(const MatrixView<Value>& matrix, double scale) {
   const auto rows = static_cast<std::size_t>(matrix.rows());
   const std::size_t above = (matrix.column.size() - std::min(rows, matrix.column.size())) / 2;
   start_.reserve(rows + 1);
-  column_.reserve(above + chunk);
-  value_.reserve(above + chunk);
+  column_.reserve(above);
+  value_.reserve(above);
   inverse_diagonal_.assign(rows, 0);
   start_.push_back(0);
   for (int i = 0; i < matrix.rows(); ++i) {
@@ -47,8 +25,6 @@ MultigridLevel::MultigridLevel(const MatrixView<Value>& matrix, double scale) {
     }
     start_.push_back(static_cast<int>(column_.size()));
   }
-  column_.insert(column_.end(), chunk, 0);
-  value_.insert(value_.end(), chunk, 0.0F);
   right_side.assign(rows, 0);
   pressure.assign(rows, 0);
 }
@@ -62,23 +38,21 @@ std::size_t MultigridLevel::memory_bytes() const {
 }
 
 void MultigridLevel::sweep_up_from_zero() {
-  const int nothing = static_cast<int>(column_.size()) - 1;
   for (int i = 0; i < rows(); ++i) {
     const float p = right_side[i] * inverse_diagonal_[i];
     pressure[i] = p;
     right_side[i] = 0; // from here on L p of the correction
-    visit_row(start_.data(), column_.data(), value_.data(), nothing, i,
-              [&](int j, float value) { right_side[j] -= value * p; });
+    for (int e = start_[i]; e < start_[i + 1]; ++e)
+      right_side[column_[e]] -= value_[e] * p;
   }
 }
 
 void MultigridLevel::restrict_residual_to(MultigridLevel& coarser) {
-  const int nothing = static_cast<int>(column_.size()) - 1;
   std::ranges::fill(coarser.right_side, 0.0F);
   for (int i = 0; i < rows(); ++i) {
     float residual = 0;
-    visit_row(start_.data(), column_.data(), value_.data(), nothing, i,
-              [&](int j, float value) { residual -= value * pressure[j]; });
+    for (int e = start_[i]; e < start_[i + 1]; ++e)
+      residual -= value_[e] * pressure[column_[e]];
     const Parents& parents = from_coarser[i];
     coarser.right_side[parents.row[0]] += parents.weight[0] * residual;
     coarser.right_side[parents.row[1]] += parents.weight[1] * residual;
@@ -86,22 +60,20 @@ void MultigridLevel::restrict_residual_to(MultigridLevel& coarser) {
 }
 
 void MultigridLevel::add_correction_of(const MultigridLevel& coarser) {
-  const int nothing = static_cast<int>(column_.size()) - 1;
   for (int i = 0; i < rows(); ++i) {
     const Parents& parents = from_coarser[i];
     const float correction =
         parents.weight[0] * coarser.pressure[parents.row[0]] + parents.weight[1] * coarser.pressure[parents.row[1]];
-    visit_row(start_.data(), column_.data(), value_.data(), nothing, i,
-              [&](int j, float value) { right_side[j] += value * correction; });
+    for (int e = start_[i]; e < start_[i + 1]; ++e)
+      right_side[column_[e]] += value_[e] * correction;
   }
 }
 
 void MultigridLevel::sweep_down() {
-  const int nothing = static_cast<int>(column_.size()) - 1;
   for (int i = rows() - 1; i >= 0; --i) {
     float other = right_side[i];
-    visit_row(start_.data(), column_.data(), value_.data(), nothing, i,
-              [&](int j, float value) { other += value * pressure[j]; });
+    for (int e = start_[i]; e < start_[i + 1]; ++e)
+      other += value_[e] * pressure[column_[e]];
     pressure[i] -= other * inverse_diagonal_[i];
   }
 }

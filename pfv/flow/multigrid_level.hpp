@@ -5,7 +5,7 @@
 namespace pfv {
 
 /// A p = b on one level of a multigrid, in single precision. A = L + D + L' is kept by its diagonal and the rows of L',
-/// which serve L too when they are scattered: half the memory to hold and, as that is what costs, to read.
+/// which serve L too when they are scattered: half the memory, in the same time.
 ///
 /// The four steps of a V-cycle, in this order. They leave the right side used up:
 class MultigridLevel {

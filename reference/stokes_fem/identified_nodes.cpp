@@ -5,6 +5,7 @@
 #include "reference/stokes_fem/boundary_faces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
 
@@ -95,6 +96,19 @@ std::size_t renumber(std::vector<unsigned>& numbers) {
   return count;
 }
 
+/// Of the nodes of a cell, which lie at `points`, those on one of its faces.
+template <class Points>
+void add_nodes_on_face(const dealii::DoFHandler<3>& space, const Cell& cell, unsigned number, const Points& points,
+                       Positions& positions) {
+  const auto here = cell_of(space, cell);
+  Dofs nodes(points.size()), on_it(space.get_fe().n_dofs_per_face(number));
+  here->get_dof_indices(nodes);
+  here->face(number)->get_dof_indices(on_it);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (std::ranges::find(on_it, nodes[i]) != on_it.end())
+      positions[static_cast<unsigned>(nodes[i])] = as_vec3(points[i]);
+}
+
 } // namespace
 
 std::vector<unsigned> identified_vertices(const Discretisation& space, const pfv::Box& box,
@@ -107,26 +121,16 @@ std::vector<unsigned> identified_vertices(const Discretisation& space, const pfv
 }
 
 void identify_nodes(Discretisation& space, const pfv::Box& box, const pfv::PeriodicAxes& periodic) {
-  space.velocity_node = identified(space, box, periodic, space.velocity.n_dofs(),
-                                   [&](const Cell& cell, unsigned number, Positions& positions) {
-                                     Dofs nodes(10);
-                                     cell_of(space.velocity, cell)->get_dof_indices(nodes);
-                                     Dofs on_it(6);
-                                     cell_of(space.velocity, cell)->face(number)->get_dof_indices(on_it);
-                                     const auto points = space.mapping->points(cell);
-                                     for (std::size_t i = 0; i < nodes.size(); ++i)
-                                       if (std::ranges::find(on_it, nodes[i]) != on_it.end())
-                                         positions[static_cast<unsigned>(nodes[i])] = as_vec3(points[i]);
-                                   });
+  space.velocity_node = identified(
+      space, box, periodic, space.velocity.n_dofs(), [&](const Cell& cell, unsigned number, Positions& positions) {
+        add_nodes_on_face(space.velocity, cell, number, space.mapping->points(cell), positions);
+      });
   space.pressure_node = identified(space, box, periodic, space.pressure.n_dofs(),
                                    [&](const Cell& cell, unsigned number, Positions& positions) {
-                                     Dofs nodes(4);
-                                     cell_of(space.pressure, cell)->get_dof_indices(nodes);
-                                     Dofs on_it(3);
-                                     cell_of(space.pressure, cell)->face(number)->get_dof_indices(on_it);
-                                     for (unsigned i = 0; i < 4; ++i)
-                                       if (std::ranges::find(on_it, nodes[i]) != on_it.end())
-                                         positions[static_cast<unsigned>(nodes[i])] = as_vec3(cell->vertex(i));
+                                     std::array<dealii::Point<3>, 4> corners;
+                                     for (unsigned v = 0; v < 4; ++v)
+                                       corners[v] = cell->vertex(v);
+                                     add_nodes_on_face(space.pressure, cell, number, corners, positions);
                                    });
   space.velocity_nodes = renumber(space.velocity_node);
   space.pressure_nodes = renumber(space.pressure_node);

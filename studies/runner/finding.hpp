@@ -28,9 +28,9 @@ struct Finding {
   std::string trouble() const;
 };
 
-/// Extrapolates the answered runs of one case and method (rows in any order, at least one). Forces and samples come from
-/// the answers in `answers`, absent when a run's answer has none or is not there. A run whose answer cannot be read has
-/// failed.
+/// Extrapolates the answered runs of one case and method (rows in any order, at least one). Forces and samples come
+/// from the answers in `answers`, absent when a run's answer has none or is not there. A run whose answer cannot be
+/// read has failed.
 Finding find(std::vector<Row> rows, const std::filesystem::path& answers);
 
 /// Where the answer of a run is stored.

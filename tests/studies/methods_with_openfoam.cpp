@@ -1,8 +1,5 @@
-#include "pfv/problem/error.hpp"
 #include "reference/exact/exact.hpp"
 #include "reference/openfoam/openfoam.hpp"
-
-#include <algorithm>
 
 // The registry of the fault tests, in place of the one of all methods.
 namespace reference {
@@ -16,13 +13,6 @@ const std::vector<std::unique_ptr<Method>>& methods() {
     return made;
   }();
   return list;
-}
-
-const Method& find_method(const std::string& name) {
-  const auto found = std::ranges::find(methods(), name, [](const auto& method) { return method->name(); });
-  if (found == methods().end())
-    throw pfv::InputError("unknown method '" + name + "'; it can be one of openfoam, openfoam_snappy, exact");
-  return **found;
 }
 
 } // namespace reference
