@@ -37,6 +37,8 @@ public:
   void update(const FlowMatrix& matrix) override {
     matrix_ = &matrix;
     stale_ = true;
+    if (matrix.rows() > 0)
+      preconditioner_->follow(matrix);
   }
 
   void solve(const Eigen::VectorXd& right_side, Eigen::VectorXd& pressure) override {

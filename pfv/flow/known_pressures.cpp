@@ -7,6 +7,8 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace pfv {
 namespace {
 
@@ -63,9 +65,12 @@ public:
     if (known == source && source < first_point)
       return;
     if (known >= 0 && known != source &&
-        (pumps(known) || pumps(source) || std::abs(known_.value[first] - value) > tolerance_))
-      throw SolveError(fmt::format("{} and {} meet in one pore: they must have the same pressure",
-                                   name(known, known_.value[first]), name(source, value)));
+        (pumps(known) || pumps(source) || std::abs(known_.value[first] - value) > tolerance_)) {
+      std::string one = name(known, known_.value[first]), other = name(source, value);
+      if (source < known)
+        std::swap(one, other);
+      throw SolveError(fmt::format("{} and {} meet in one pore: they must have the same pressure", one, other));
+    }
     if (known >= 0)
       return;
     known = source;

@@ -5,77 +5,74 @@
 namespace pfv {
 
 template <class Value>
-MultigridLevel::MultigridLevel(const MatrixView<Value>& matrix, double scale) {
+MultigridLevel<Value>::MultigridLevel(const MatrixView<Value>& matrix, double scale) {
   const auto rows = static_cast<std::size_t>(matrix.rows());
-  const std::size_t above = (matrix.column.size() - std::min(rows, matrix.column.size())) / 2;
-  start_.reserve(rows + 1);
-  column_.reserve(above);
-  value_.reserve(above);
-  inverse_diagonal_.assign(rows, 0);
-  start_.push_back(0);
-  for (int i = 0; i < matrix.rows(); ++i) {
-    for (int e = matrix.start[i]; e < matrix.start[i + 1]; ++e) {
-      const auto value = static_cast<float>(scale * matrix.value[e]);
-      if (matrix.column[e] == i && value > 0)
-        inverse_diagonal_[i] = 1 / value;
-      if (matrix.column[e] <= i)
-        continue;
-      column_.push_back(matrix.column[e]);
-      value_.push_back(value);
-    }
-    start_.push_back(static_cast<int>(column_.size()));
-  }
   right_side.assign(rows, 0);
   pressure.assign(rows, 0);
+  inverse_diagonal_.resize(rows);
+  follow(matrix, scale);
 }
 
-template MultigridLevel::MultigridLevel(const MatrixView<double>&, double);
-template MultigridLevel::MultigridLevel(const MatrixView<float>&, double);
-
-std::size_t MultigridLevel::memory_bytes() const {
-  return sizeof(int) * (start_.size() + column_.size()) + sizeof(Parents) * from_coarser.size() +
-         sizeof(float) * (value_.size() + inverse_diagonal_.size() + right_side.size() + pressure.size());
-}
-
-void MultigridLevel::sweep_up_from_zero() {
-  for (int i = 0; i < rows(); ++i) {
-    const float p = right_side[i] * inverse_diagonal_[i];
-    pressure[i] = p;
-    right_side[i] = 0; // from here on L p of the correction
-    for (int e = start_[i]; e < start_[i + 1]; ++e)
-      right_side[column_[e]] -= value_[e] * p;
+template <class Value>
+void MultigridLevel<Value>::follow(const MatrixView<Value>& matrix, double scale) {
+  matrix_ = matrix;
+  scale_ = static_cast<Value>(scale);
+  for (int i = 0; i < matrix.rows(); ++i) {
+    inverse_diagonal_[i] = 0;
+    for (int e = matrix.start[i]; e < matrix.start[i + 1]; ++e)
+      if (matrix.column[e] == i && matrix.value[e] > 0)
+        inverse_diagonal_[i] = static_cast<float>(1 / (scale_ * matrix.value[e]));
   }
 }
 
-void MultigridLevel::restrict_residual_to(MultigridLevel& coarser) {
+template <class Value>
+std::size_t MultigridLevel<Value>::memory_bytes() const {
+  return sizeof(Parents) * from_coarser.size() +
+         sizeof(float) * (inverse_diagonal_.size() + right_side.size() + pressure.size());
+}
+
+template <class Value>
+inline float MultigridLevel<Value>::residual(int row) const {
+  Value sum = 0;
+  for (int e = matrix_.start[row]; e < matrix_.start[row + 1]; ++e)
+    sum += matrix_.value[e] * static_cast<Value>(pressure[matrix_.column[e]]);
+  return right_side[row] - static_cast<float>(scale_ * sum);
+}
+
+template <class Value>
+void MultigridLevel<Value>::sweep_up_from_zero() {
+  std::ranges::fill(pressure, 0.0F);
+  for (int i = 0; i < rows(); ++i)
+    pressure[i] = residual(i) * inverse_diagonal_[i];
+}
+
+template <class Value>
+void MultigridLevel<Value>::restrict_residual_to(MultigridVectors& coarser) const {
   std::ranges::fill(coarser.right_side, 0.0F);
   for (int i = 0; i < rows(); ++i) {
-    float residual = 0;
-    for (int e = start_[i]; e < start_[i + 1]; ++e)
-      residual -= value_[e] * pressure[column_[e]];
+    const float rest = residual(i);
     const Parents& parents = from_coarser[i];
-    coarser.right_side[parents.row[0]] += parents.weight[0] * residual;
-    coarser.right_side[parents.row[1]] += parents.weight[1] * residual;
+    coarser.right_side[parents.row[0]] += parents.weight[0] * rest;
+    coarser.right_side[parents.row[1]] += parents.weight[1] * rest;
   }
 }
 
-void MultigridLevel::add_correction_of(const MultigridLevel& coarser) {
+template <class Value>
+void MultigridLevel<Value>::add_correction_of(const MultigridVectors& coarser) {
   for (int i = 0; i < rows(); ++i) {
     const Parents& parents = from_coarser[i];
-    const float correction =
+    pressure[i] +=
         parents.weight[0] * coarser.pressure[parents.row[0]] + parents.weight[1] * coarser.pressure[parents.row[1]];
-    for (int e = start_[i]; e < start_[i + 1]; ++e)
-      right_side[column_[e]] += value_[e] * correction;
   }
 }
 
-void MultigridLevel::sweep_down() {
-  for (int i = rows() - 1; i >= 0; --i) {
-    float other = right_side[i];
-    for (int e = start_[i]; e < start_[i + 1]; ++e)
-      other += value_[e] * pressure[column_[e]];
-    pressure[i] -= other * inverse_diagonal_[i];
-  }
+template <class Value>
+void MultigridLevel<Value>::sweep_down() {
+  for (int i = rows() - 1; i >= 0; --i)
+    pressure[i] += residual(i) * inverse_diagonal_[i];
 }
+
+template class MultigridLevel<double>;
+template class MultigridLevel<float>;
 
 } // namespace pfv

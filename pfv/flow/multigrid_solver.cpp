@@ -8,72 +8,85 @@
 #include <Eigen/Cholesky>
 #include <fmt/format.h>
 
+#include <optional>
+#include <vector>
+
 namespace pfv {
 namespace {
 
 class VCycle final : public Preconditioner {
 public:
   void factor(const FlowMatrix& matrix) override {
-    const Eigen::VectorXd diagonal = matrix.diagonal();
-    if (!(diagonal.minCoeff() > 0))
-      throw SolveError(
-          fmt::format("multigrid: the matrix is not positive definite, {} on its diagonal", diagonal.minCoeff()));
-    scale_ = 1 / diagonal.maxCoeff(); // single precision has a narrow range
-    levels_.clear();
-    levels_.emplace_back(view(matrix), scale_);
+    scale_ = scale_of(matrix);
+    coarser_.clear();
+    coarse_matrices_.clear();
+    finest_.emplace(view(matrix), scale_);
     // The first coarse matrix is summed from double precision: in wide throats nearly all of it cancels.
-    SparseRows coarsest = coarsen(view(matrix), scale_);
-    while (has_coarser_ && levels_.back().rows() > coarsest_rows) {
-      SparseRows coarser = coarsen(view(coarsest), 1);
-      if (has_coarser_)
-        coarsest = std::move(coarser);
-    }
-    if (has_coarser_)
-      factor(coarsest);
+    bool has_coarser = finest_->rows() > coarsest_rows && coarsen(view(matrix), scale_, *finest_);
+    while (has_coarser && coarser_.back().rows() > coarsest_rows)
+      has_coarser = coarsen(view(coarse_matrices_.back()), 1, coarser_.back());
+    if (!coarser_.empty())
+      factor_coarsest();
+  }
+
+  void follow(const FlowMatrix& matrix) override {
+    scale_ = scale_of(matrix);
+    finest_->follow(view(matrix), scale_);
   }
 
   double apply(const Eigen::VectorXd& residual, Eigen::VectorXd& correction) override {
-    MultigridLevel& finest = levels_.front();
     const double size = residual.lpNorm<Eigen::Infinity>();
     const double into = size > 0 ? 1 / size : 0, back = scale_ * size;
-    for (int i = 0; i < finest.rows(); ++i)
-      finest.right_side[i] = static_cast<float>(into * residual[i]);
-    cycle(0);
+    for (int i = 0; i < finest_->rows(); ++i)
+      finest_->right_side[i] = static_cast<float>(into * residual[i]);
+    cycle(*finest_, 0);
     double product = 0;
-    for (int i = 0; i < finest.rows(); ++i) {
-      correction[i] = back * finest.pressure[i];
+    for (int i = 0; i < finest_->rows(); ++i) {
+      correction[i] = back * finest_->pressure[i];
       product += residual[i] * correction[i];
     }
     return product;
   }
 
   void describe(SolverReport& report) const override {
-    std::size_t entries = 0;
-    report.memory_bytes = 0;
-    for (const MultigridLevel& level : levels_) {
-      entries += level.entries();
-      report.memory_bytes += level.memory_bytes();
+    std::size_t entries = report.matrix_entries;
+    report.memory_bytes = finest_->memory_bytes();
+    for (const SparseRows& matrix : coarse_matrices_) {
+      entries += matrix.column.size();
+      report.memory_bytes += matrix.memory_bytes();
     }
-    report.operator_complexity = static_cast<double>(entries) / static_cast<double>(levels_.front().entries());
+    for (const auto& level : coarser_)
+      report.memory_bytes += level.memory_bytes();
+    report.operator_complexity = static_cast<double>(entries) / static_cast<double>(report.matrix_entries);
   }
 
 private:
   static constexpr int coarsest_rows = 100;
 
-  /// Adds the level below the last one, whose matrix is `fine`, and returns its matrix.
-  template <class Value>
-  SparseRows coarsen(const MatrixView<Value>& fine, double scale) {
-    Interpolation from_coarser = interpolation(fine);
-    has_coarser_ = from_coarser.coarse_rows > 0;
-    if (!has_coarser_)
-      return {};
-    SparseRows coarse = coarse_matrix(fine, from_coarser, scale);
-    levels_.back().from_coarser = std::move(from_coarser.parents);
-    levels_.emplace_back(view(coarse), 1);
-    return coarse;
+  /// Single precision has a narrow range.
+  static double scale_of(const FlowMatrix& matrix) {
+    const Eigen::VectorXd diagonal = matrix.diagonal();
+    if (!(diagonal.minCoeff() > 0))
+      throw SolveError(
+          fmt::format("multigrid: the matrix is not positive definite, {} on its diagonal", diagonal.minCoeff()));
+    return 1 / diagonal.maxCoeff();
   }
 
-  void factor(const SparseRows& coarsest) {
+  /// Adds the level below the last one, which is that of the matrix. Whether there is one.
+  template <class Value>
+  bool coarsen(const MatrixView<Value>& fine, double scale, MultigridLevel<Value>& level) {
+    Interpolation from_coarser = interpolation(fine);
+    if (from_coarser.coarse_rows == 0)
+      return false;
+    SparseRows coarse = coarse_matrix(fine, from_coarser, scale);
+    level.from_coarser = std::move(from_coarser.parents);
+    coarse_matrices_.push_back(std::move(coarse));
+    coarser_.emplace_back(view(coarse_matrices_.back()), 1);
+    return true;
+  }
+
+  void factor_coarsest() {
+    const SparseRows& coarsest = coarse_matrices_.back();
     Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(coarsest.rows(), coarsest.rows());
     for (int i = 0; i < coarsest.rows(); ++i)
       for (int e = coarsest.start[i]; e < coarsest.start[i + 1]; ++e)
@@ -81,26 +94,31 @@ private:
     coarsest_.compute(dense);
   }
 
-  void cycle(std::size_t depth) {
-    MultigridLevel& level = levels_[depth];
-    if (has_coarser_ && depth + 1 == levels_.size()) {
-      const auto right_side = Eigen::Map<const Eigen::VectorXf>(level.right_side.data(), level.rows());
-      Eigen::Map<Eigen::VectorXf>(level.pressure.data(), level.rows()) =
-          coarsest_.solve(right_side.cast<double>()).cast<float>();
-      return;
-    }
+  void solve_coarsest() {
+    MultigridVectors& level = coarser_.back();
+    const auto rows = static_cast<Eigen::Index>(level.pressure.size());
+    const auto right_side = Eigen::Map<const Eigen::VectorXf>(level.right_side.data(), rows);
+    Eigen::Map<Eigen::VectorXf>(level.pressure.data(), rows) = coarsest_.solve(right_side.cast<double>()).cast<float>();
+  }
+
+  template <class Value>
+  void cycle(MultigridLevel<Value>& level, std::size_t depth) {
     level.sweep_up_from_zero();
-    if (depth + 1 < levels_.size()) {
-      level.restrict_residual_to(levels_[depth + 1]);
-      cycle(depth + 1);
-      level.add_correction_of(levels_[depth + 1]);
+    if (depth < coarser_.size()) {
+      level.restrict_residual_to(coarser_[depth]);
+      if (depth + 1 == coarser_.size())
+        solve_coarsest();
+      else
+        cycle(coarser_[depth], depth + 1);
+      level.add_correction_of(coarser_[depth]);
     }
     level.sweep_down();
   }
 
   double scale_ = 1;
-  std::vector<MultigridLevel> levels_; // from fine to coarse
-  bool has_coarser_ = false;
+  std::optional<MultigridLevel<double>> finest_;
+  std::vector<MultigridLevel<float>> coarser_; // from fine to coarse
+  std::vector<SparseRows> coarse_matrices_;    // theirs
   Eigen::LDLT<Eigen::MatrixXd> coarsest_;
 };
 
