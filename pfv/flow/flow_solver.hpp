@@ -23,12 +23,12 @@ struct Cholmod {};
 
 /// Conjugate gradients, preconditioned by the classical algebraic multigrid of hypre (BoomerAMG).
 struct Amg {
-  double tolerance = 5e-11; // of the error in p, in the norm of the dissipated power
+  double tolerance = 1e-10; // of the error in p, in the norm of the dissipated power
 };
 
 /// Conjugate gradients, preconditioned by an algebraic multigrid made for networks of pores.
 struct Multigrid {
-  double tolerance = 5e-11; // of the error in p, in the norm of the dissipated power
+  double tolerance = 1e-10; // of the error in p, in the norm of the dissipated power
 };
 
 /// Cholmod or Multigrid, whichever takes less time.

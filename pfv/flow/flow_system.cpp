@@ -42,34 +42,34 @@ PoreGroups connected_parts(const PoreNetwork& network, const FlowSystem& system,
 
 /// Numbers the groups that some path of open throats joins to a known pressure, after holding one pore of every part
 /// that has none but is driven from box to box. The others are isolated.
-int number_unknowns(const PoreNetwork& network, double mean_pressure, PoreGroups& groups, FlowSystem& system) {
+int number_unknowns(const PoreNetwork& network, const KnownPressures& known, PoreGroups& groups, FlowSystem& system) {
+  constexpr int of_known = -1, of_isolated = -2;
   const int count = static_cast<int>(network.pores.size());
   PoreGroups parts = connected_parts(network, system, groups);
   std::vector<bool> has_level(count, false);
   for (int i = 0; i < count; ++i)
-    if (system.source_of_pore[i] >= 0)
+    if (known.source[i] >= 0)
       has_level[parts.find(i)] = true;
 
   int unknowns = 0;
-  std::vector<int> number(count, FlowSystem::isolated);
+  std::vector<int> number(count, of_isolated);
   system.unknown_of_pore.resize(count);
   for (int i = 0; i < count; ++i) {
     const int part = parts.find(i);
     int& of_group = number[groups.find(i)];
-    if (system.source_of_pore[i] >= 0) {
-      of_group = FlowSystem::known;
-    } else if (of_group == FlowSystem::isolated && has_level[part]) {
+    if (known.source[i] >= 0) {
+      of_group = of_known;
+    } else if (of_group == of_isolated && has_level[part]) {
       of_group = unknowns++;
-    } else if (of_group == FlowSystem::isolated && !system.rise.isZero(0)) {
-      of_group = FlowSystem::known;
+    } else if (of_group == of_isolated && !system.rise.isZero(0)) {
+      of_group = of_known;
       has_level[part] = true;
       ++system.held_pores;
     }
-    system.unknown_of_pore[i] = of_group;
-    if (of_group == FlowSystem::isolated) {
-      system.known_pressure[i] = mean_pressure;
-      ++system.isolated_pores;
-    }
+    system.unknown_of_pore[i] = of_group >= 0 ? of_group : ~static_cast<int>(system.known_pores.size());
+    if (of_group < 0)
+      system.known_pores.push_back({known.source[i], of_group == of_isolated ? known.mean : known.value[i]});
+    system.isolated_pores += of_group == of_isolated;
   }
   return unknowns;
 }
@@ -90,11 +90,16 @@ void fill_right_side(const PoreNetwork& network, FlowSystem& system) {
     const double k = system.conductance[t];
     const auto [i, j] = network.throats.pores[t];
     const int a = system.unknown_of_pore[i], b = system.unknown_of_pore[j];
+    if (a >= 0 && b >= 0 && system.offset.empty())
+      continue;
     const double rise = along(system.rise, crossing(system, network, t));
+    const auto above_level = [&](const FlowSystem::KnownPore* pore) {
+      return pore != nullptr ? pore->pressure - system.level : 0;
+    };
     if (a >= 0)
-      system.right_side[a] += k * (rise + (b >= 0 ? 0 : system.known_pressure[j] - system.level));
+      system.right_side[a] += k * (rise + above_level(system.known(j)));
     if (b >= 0)
-      system.right_side[b] -= k * (rise - (a >= 0 ? 0 : system.known_pressure[i] - system.level));
+      system.right_side[b] -= k * (rise - above_level(system.known(i)));
   }
 }
 
@@ -110,11 +115,12 @@ FlowSystem assemble(const PoreNetwork& network, Conductances conductances, const
   system.raised_throats = conductances.raised;
   system.rounded_throats = conductances.rounded;
   PoreGroups groups = contract(network, conductances.median, system);
-  KnownPressures known = known_pressures(network, faces, points, system.rise, groups);
-  system.source_of_pore = std::move(known.source);
-  system.known_pressure = std::move(known.value);
-  system.level = known.mean;
-  const int unknowns = number_unknowns(network, known.mean, groups, system);
+  int unknowns = 0;
+  {
+    const KnownPressures known = known_pressures(network, faces, points, system.rise, groups);
+    system.level = known.mean;
+    unknowns = number_unknowns(network, known, groups, system);
+  }
   system.matrix = matrix_of(unknowns, links(network, system));
   system.right_side.resize(unknowns);
   fill_right_side(network, system);
@@ -122,9 +128,9 @@ FlowSystem assemble(const PoreNetwork& network, Conductances conductances, const
 }
 
 void impose(FlowSystem& system, Face face, double pressure) {
-  for (std::size_t i = 0; i < system.known_pressure.size(); ++i)
-    if (system.source_of_pore[i] == index(face))
-      system.known_pressure[i] = pressure;
+  for (FlowSystem::KnownPore& pore : system.known_pores)
+    if (pore.source == index(face))
+      pore.pressure = pressure;
 }
 
 namespace {
@@ -141,8 +147,9 @@ bool impose_again(FlowSystem& system, const PoreNetwork& network) {
   if (!has_profile(system.faces))
     return true;
   for (const auto& part : network.wall_parts)
-    if (system.source_of_pore[part.pore] == index(part.face))
-      system.known_pressure[part.pore] = *pressure_at(system.faces[index(part.face)], network.pores.centre[part.pore]);
+    if (const auto* known = system.known(part.pore); known && known->source == index(part.face))
+      system.known_pores[~system.unknown_of_pore[part.pore]].pressure =
+          *pressure_at(system.faces[index(part.face)], network.pores.centre[part.pore]);
   return system.contracted_throats == 0;
 }
 
@@ -172,10 +179,10 @@ bool refresh(FlowSystem& system, const PoreNetwork& network, const Conductances&
 }
 
 void set_pore_pressures(const FlowSystem& system, const Eigen::VectorXd& solution, std::vector<double>& pressure) {
-  pressure = system.known_pressure;
+  pressure.resize(system.unknown_of_pore.size());
   for (std::size_t i = 0; i < pressure.size(); ++i) {
-    if (system.unknown_of_pore[i] >= 0)
-      pressure[i] = system.level + solution[system.unknown_of_pore[i]];
+    const auto* known = system.known(i);
+    pressure[i] = known ? known->pressure : system.level + solution[system.unknown_of_pore[i]];
     if (!system.offset.empty())
       pressure[i] -= along(system.rise, system.offset[i]);
   }

@@ -22,15 +22,19 @@ namespace pfv {
 struct FlowSystem {
   static constexpr double contraction = 1e6;
   static constexpr double wide_open = 1e3; // medians: what `refresh` asks of a contracted throat
-  static constexpr int known = -1;         // unknown_of_pore: the pressure is imposed, or held
-  static constexpr int isolated = -2;      // unknown_of_pore: no way to a known pressure
 
-  std::vector<double> conductance; // m^3/(Pa s) by throat; 0 where contracted
-  std::vector<bool> contracted;    // by throat
-  std::vector<int> unknown_of_pore;
-  std::vector<int> source_of_pore;    // index(Face) or 6 + number of the pressure point that gives the pressure, or -1
-  std::vector<double> known_pressure; // Pa by pore, at the first one of its group; the mean imposed for isolated pores
-  std::vector<Shift> offset;          // boxes from a pore to the first of its group; empty unless the box is periodic
+  /// A pore that is no unknown: its pressure is imposed, or it is held at zero, or isolated, without a way to a known
+  /// pressure, and then at the mean of the imposed ones.
+  struct KnownPore {
+    int source;      // index(Face) or 6 + number of the pressure point that gives the pressure, or -1
+    double pressure; // Pa, as at the first pore of its group
+  };
+
+  std::vector<double> conductance;  // m^3/(Pa s) by throat; 0 where contracted
+  std::vector<bool> contracted;     // by throat
+  std::vector<int> unknown_of_pore; // negative for a known pore
+  std::vector<KnownPore> known_pores;
+  std::vector<Shift> offset; // boxes from a pore to the first of its group; empty unless the box is periodic
   FaceConditions faces;
   std::size_t points = 0;     // with a pressure
   double level = 0;           // Pa, the mean of the imposed pressures: the unknowns are pressures above it
@@ -44,6 +48,11 @@ struct FlowSystem {
   std::size_t isolated_pores = 0;
   std::size_t held_pores = 0; // at zero, because nothing else sets the level of their pressure
 
+  /// Nothing when the pressure of the pore is an unknown.
+  const KnownPore* known(std::size_t pore) const {
+    const int unknown = unknown_of_pore[pore];
+    return unknown < 0 ? &known_pores[~unknown] : nullptr;
+  }
   std::size_t unknowns() const { return static_cast<std::size_t>(right_side.size()); }
 };
 

@@ -28,9 +28,10 @@ struct Response {
 
 Response response_to(Face face, const PoreNetwork& network, const FlowSystem& system) {
   Response response{Eigen::VectorXd::Zero(system.right_side.size()),
-                    std::vector<double>(system.source_of_pore.size(), 0.0)};
+                    std::vector<double>(system.unknown_of_pore.size(), 0.0)};
   for (std::size_t i = 0; i < response.known.size(); ++i)
-    response.known[i] = system.source_of_pore[i] == index(face) ? 1 : 0;
+    if (const auto* known = system.known(i); known && known->source == index(face))
+      response.known[i] = 1;
   for (std::size_t t = 0; t < network.throats.size(); ++t) {
     const auto [i, j] = network.throats.pores[t];
     const int a = system.unknown_of_pore[i], b = system.unknown_of_pore[j];

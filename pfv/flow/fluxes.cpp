@@ -4,16 +4,19 @@ namespace pfv {
 
 Outflow outflow(const PoreNetwork& network, const FlowSystem& system, const std::vector<double>& pressure) {
   Outflow out{{}, std::vector<double>(system.points, 0.0)};
-  const auto add = [&](int source, double flux) {
-    if (source >= 0)
-      (source < 6 ? out.face[source] : out.point[source - 6]) += flux;
+  const auto add = [&](const FlowSystem::KnownPore* pore, double flux) {
+    if (pore && pore->source >= 0)
+      (pore->source < 6 ? out.face[pore->source] : out.point[pore->source - 6]) += flux;
   };
   const bool periodic = !system.offset.empty();
   for (std::size_t t = 0; t < network.throats.size(); ++t) {
     const auto [i, j] = network.throats.pores[t];
+    const auto *behind = system.known(i), *ahead = system.known(j);
+    if (!periodic && !behind && !ahead)
+      continue;
     const double q = throat_flux(network, system, pressure, t);
-    add(system.source_of_pore[i], -q);
-    add(system.source_of_pore[j], q);
+    add(behind, -q);
+    add(ahead, q);
     if (!periodic)
       continue;
     const Shift boxes = crossing(system, network, t);

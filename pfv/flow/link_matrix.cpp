@@ -60,7 +60,8 @@ void sort_and_merge(FlowMatrix& matrix) {
 int position(const FlowMatrix& matrix, int a, int b) {
   const int* column = matrix.innerIndexPtr();
   const int *first = column + matrix.outerIndexPtr()[a], *last = column + matrix.outerIndexPtr()[a + 1];
-  const int* found = std::lower_bound(first, last, b);
+  const int* found = last - first <= short_row ? std::find_if(first, last, [b](int c) { return c >= b; })
+                                               : std::lower_bound(first, last, b);
   return found != last && *found == b ? static_cast<int>(found - column) : -1;
 }
 

@@ -20,8 +20,8 @@ std::array<std::optional<double>, 6> pumped(const FlowSystem& system) {
   std::array<std::optional<double>, 6> pressure;
   for (const Face face : all_faces)
     if (std::holds_alternative<Flux>(system.faces[index(face)])) {
-      const auto pore = std::ranges::find(system.source_of_pore, index(face)) - system.source_of_pore.begin();
-      pressure[index(face)] = system.known_pressure[pore];
+      pressure[index(face)] =
+          std::ranges::find(system.known_pores, index(face), &FlowSystem::KnownPore::source)->pressure;
     }
   return pressure;
 }

@@ -62,6 +62,14 @@ void list_wall_parts(PoreNetwork& network) {
         network.wall_parts.push_back({static_cast<int>(i), face_of(v), 0});
 }
 
+void mark_cut_sites(PoreNetwork& network) {
+  const auto& [lower, upper] = network.walls;
+  for (std::size_t s = 0; s < network.sites.size(); ++s) {
+    const auto& [centre, radius] = network.sites.spheres[s];
+    network.cut_sites[s] = ((centre - lower).array() < radius).any() || ((upper - centre).array() < radius).any();
+  }
+}
+
 PoreNetwork topology(const Packing& packing, const PeriodicAxes& periodic, Triangulation cells) {
   PoreNetwork network;
   network.box = packing.box;
@@ -69,6 +77,7 @@ PoreNetwork topology(const Packing& packing, const PeriodicAxes& periodic, Trian
   network.hidden_spheres = std::move(cells.hidden_spheres);
   list_throats(cells, network.throats);
   network.sites = std::move(cells.sites);
+  network.cut_sites.resize(network.sites.size());
   network.pores.vertices = std::move(cells.cells);
   network.pores.centre.resize(network.pores.vertices.size());
   network.pores.volume.resize(network.pores.size());
@@ -93,14 +102,6 @@ double PoreNetwork::porosity() const {
   return std::accumulate(pores.void_volume.begin(), pores.void_volume.end(), 0.0) / box.volume();
 }
 
-Vec3 PoreNetwork::centre_ahead(std::size_t throat) const {
-  Vec3 centre = pores.centre[throats.pores[throat][1]];
-  if (!throats.shift.empty())
-    for (int axis = 0; axis < 3; ++axis)
-      centre[axis] += throats.shift[throat][axis] * (box.upper[axis] - box.lower[axis]);
-  return centre;
-}
-
 PoreNetwork build_pore_network(const Packing& packing, const PeriodicAxes& periodic, Clock& clock) {
   Triangulation cells;
   {
@@ -109,6 +110,7 @@ PoreNetwork build_pore_network(const Packing& packing, const PeriodicAxes& perio
   }
   const auto timing = clock.stage("geometry");
   PoreNetwork network = topology(packing, periodic, std::move(cells));
+  mark_cut_sites(network);
   set_pore_centres(network);
   measure(network);
   return network;
@@ -120,6 +122,7 @@ void follow(PoreNetwork& network, const Packing& packing, Clock& clock) {
   network.walls = without_end(packing.box, network.periodic());
   network.box = packing.box;
   move_sites(network.sites, packing);
+  mark_cut_sites(network);
   set_pore_centres(network);
   measure(network);
 }

@@ -24,8 +24,9 @@ namespace pfv {
 /// shift.
 struct PoreNetwork {
   Box box;
-  Box walls;   // the box, without end along its periodic axes
-  Sites sites; // what the vertices stand for
+  Box walls;                           // the box, without end along its periodic axes
+  Sites sites;                         // what the vertices stand for
+  std::vector<std::uint8_t> cut_sites; // by site: 1 where a wall cuts the sphere
 
   struct Pores {
     std::vector<std::array<Vertex, 4>> vertices;
@@ -75,7 +76,13 @@ struct PoreNetwork {
     return facet_opposite(pores.vertices[throats.pores[throat][0]], throats.facet[throat]);
   }
   /// Centre of the pore ahead of a throat as the throat meets it (m).
-  Vec3 centre_ahead(std::size_t throat) const;
+  Vec3 centre_ahead(std::size_t throat) const {
+    Vec3 centre = pores.centre[throats.pores[throat][1]];
+    if (!throats.shift.empty())
+      for (int axis = 0; axis < 3; ++axis)
+        centre[axis] += throats.shift[throat][axis] * (box.upper[axis] - box.lower[axis]);
+    return centre;
+  }
 };
 
 /// Pores and throats of a packing. The faces across axes that are not periodic are in their exact limit as planes: a

@@ -21,11 +21,8 @@ int gather(const PoreNetwork& network, std::size_t first, FacetBlock& block) {
 }
 
 bool is_cut(const PoreNetwork& network, std::size_t throat) {
-  return std::ranges::any_of(network.corners(throat), [&](Vertex v) {
-    const auto& [centre, radius] = network.sites.spheres[v];
-    return ((centre - network.walls.lower).array() < radius).any() ||
-           ((network.walls.upper - centre).array() < radius).any();
-  });
+  const auto [a, b, c] = network.corners(throat);
+  return (network.cut_sites[a] | network.cut_sites[b] | network.cut_sites[c]) != 0;
 }
 
 void visit_planes(const PoreNetwork& network, const std::function<void(std::size_t, const ThroatPlane&)>& visit) {
