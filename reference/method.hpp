@@ -37,6 +37,10 @@ public:
   /// Of the programs outside this build it calls, as they name it themselves; empty when there are none. An answer
   /// stored under another version is not taken for this one.
   virtual std::string version() const { return {}; }
+  /// Folders of this project whose sources, with all below them, an answer depends on, beside those that lie directly
+  /// in pfv/ and reference/. An answer stored under other sources is not taken for this one; those elsewhere may
+  /// change.
+  virtual std::vector<std::string> built_from() const { return {"pfv", "meshing", "reference"}; }
   /// Why it cannot run on this machine or build; nothing when it can.
   virtual std::optional<std::string> unavailable() const { return std::nullopt; }
   /// Why it does not answer this case; nothing when it does.

@@ -67,6 +67,8 @@ public:
   std::string description() const override {
     return "tabulated Stokes drag of simple cubic, bcc and fcc lattices (Zick & Homsy 1982; fundamental solutions)";
   }
+  std::vector<std::string> built_from() const override { return {"pfv/problem", "reference/closed_form"}; }
+
   std::optional<std::string> not_covered(const pfv::Case& problem) const override {
     const auto found = look_up(problem);
     if (const auto* reason = std::get_if<std::string>(&found))

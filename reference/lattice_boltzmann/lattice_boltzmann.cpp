@@ -22,6 +22,10 @@ public:
     return "Stokes flow by the lattice Boltzmann method on cubic voxels (Palabos)";
   }
   std::string version() const override { return PALABOS_VERSION; }
+  std::vector<std::string> built_from() const override {
+    return {"pfv/problem", "meshing", "reference/lattice_boltzmann"};
+  }
+
   std::optional<std::string> unavailable() const override { return missing_program(); }
   std::optional<std::string> not_covered(const pfv::Case& problem) const override { return beyond_lattice(problem); }
   /// Of the scheme. What is left on lattices, 0.5 % from mesh size 0.7 on where no gap is thinner than two voxels,

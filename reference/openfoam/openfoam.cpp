@@ -78,6 +78,8 @@ public:
     const std::string mesher = route_->version();
     return mesher.empty() ? program_version() : fmt::format("{}, {}", program_version(), mesher);
   }
+  std::vector<std::string> built_from() const override { return {"pfv/problem", "meshing", "reference/openfoam"}; }
+
   std::optional<std::string> unavailable() const override {
     const auto reason = missing_programs();
     return reason ? reason : route_->unavailable();

@@ -23,6 +23,8 @@ public:
   std::string name() const override { return name_; }
   std::string description() const override { return description_; }
 
+  std::vector<std::string> built_from() const override { return {"pfv", "reference/pore_volumes"}; }
+
   std::optional<std::string> not_covered(const pfv::Case& problem) const override {
     try {
       pfv::validate_level(problem.faces, problem.pressure_points);

@@ -58,6 +58,8 @@ public:
 
   std::string version() const override { return stokes_fem::element_library() + ", " + meshing::mesher_version(); }
 
+  std::vector<std::string> built_from() const override { return {"pfv/problem", "meshing", "reference/stokes_fem"}; }
+
   std::optional<std::string> unavailable() const override { return meshing::mesher_unavailable(); }
 
   std::optional<std::string> not_covered(const pfv::Case& problem) const override {

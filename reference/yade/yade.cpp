@@ -45,6 +45,8 @@ public:
     return "pore-scale finite volumes by the original implementation (FlowEngine of YADE)";
   }
   std::string version() const override { return program_version(); }
+  std::vector<std::string> built_from() const override { return {"pfv/problem", "meshing", "reference/yade"}; }
+
   std::optional<std::string> unavailable() const override { return missing_program(); }
   std::optional<std::string> not_covered(const pfv::Case& problem) const override { return beyond_limits(problem); }
   Estimate estimate(const pfv::Case& problem, const Request&) const override { return expected_cost(problem); }

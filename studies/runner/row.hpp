@@ -36,7 +36,7 @@ struct Row {
   double estimated_cpu_seconds = 0;
   double estimated_memory_bytes = 0;
   std::string method_version; // of what the method calls from outside, empty when nothing
-  std::string answer_sources; // digest of all sources that can change an answer, compiler and flags included
+  std::string answer_sources; // digest of the sources that can change its answer, compiler and flags included
   std::string commit;
   std::string compiler;
   std::string flags;

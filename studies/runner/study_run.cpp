@@ -34,6 +34,9 @@ const StudyCase& case_of(const Study& study, const std::string& id) {
 Row identity(const Study& study, const PlannedRun& planned, const StoredCase& stored, const reference::Method& method) {
   static const std::string this_machine = machine();
   const BuildInfo& build = build_info();
+  std::vector<std::string> folders = method.built_from();
+  if (study.samples)
+    folders.push_back("pfv/pores"); // where samples are taken
   Row row;
   row.study = study.name;
   row.case_id = planned.case_id;
@@ -43,7 +46,7 @@ Row identity(const Study& study, const PlannedRun& planned, const StoredCase& st
   row.mesh_size = planned.mesh_size;
   row.convergence_order = method.convergence_order();
   row.method_version = method.unavailable() ? "" : method.version();
-  row.answer_sources = build.answer_sources;
+  row.answer_sources = digest_of_sources(folders);
   row.commit = build.commit;
   row.compiler = build.compiler;
   row.flags = build.flags + (planned.ranks == 1 ? "; one thread" : fmt::format("; {} ranks", planned.ranks));
@@ -166,7 +169,7 @@ std::vector<Row> run_study(const Study& study, const Scope& scope, const RunSett
     if (!cases.contains(planned.case_id)) {
       onlooker.preparing(planned.case_id);
       const StudyCase& one = case_of(study, planned.case_id);
-      cases.emplace(one.id, store_case(one, settings.work.cases(), build_info().answer_sources));
+      cases.emplace(one.id, store_case(one, settings.work.cases(), digest_of_sources({"pfv/problem"})));
     }
     const StoredCase& stored = cases.at(planned.case_id);
     const reference::Method& method = reference::find_method(planned.method);

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <set>
 #include <string_view>
 
@@ -46,6 +48,37 @@ TEST(Methods, AnUnknownNameIsAnErrorThatNamesTheValidOnes) {
   EXPECT_NE(message.find("'opnfoam'"), std::string::npos) << message;
   for (const auto& method : methods())
     EXPECT_NE(message.find(method->name()), std::string::npos) << message;
+}
+
+/// The folders of what the sources below a folder include from this project.
+std::set<std::string> included_below(const std::filesystem::path& folder) {
+  std::set<std::string> folders;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp")
+      continue;
+    std::ifstream source(entry.path());
+    for (std::string line; std::getline(source, line);)
+      if (line.starts_with("#include \""))
+        folders.insert(std::filesystem::path(line.substr(10, line.find('"', 10) - 10)).parent_path());
+  }
+  return folders;
+}
+
+TEST(Methods, AreBuiltFromAllThatTheyInclude) {
+  const std::filesystem::path project = std::filesystem::path(TEST_DATA) / ".." / "..";
+  for (const auto& method : methods()) {
+    const auto folders = method->built_from();
+    const auto is_named = [&](const std::string& included) {
+      return included == "pfv" || included == "reference" ||
+             std::ranges::any_of(folders, [&](const std::string& folder) {
+               return included == folder || included.starts_with(folder + "/");
+             });
+    };
+    for (const std::string& folder : folders)
+      for (const std::string& included : included_below(project / folder))
+        EXPECT_TRUE(is_named(included)) << method->name() << " is built from " << folder << ", which includes "
+                                        << included;
+  }
 }
 
 TEST(Methods, TheFakeSaysThatItIsOne) {
