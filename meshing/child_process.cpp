@@ -82,10 +82,13 @@ struct Launch {
   const char* folder; // nullptr: stay
   int input, output, errors;
   pid_t parent;
+  rlim_t memory; // bytes
 
   [[noreturn]] void run() const {
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
+    const rlimit data{memory, memory};
+    setrlimit(RLIMIT_DATA, &data);
     if (getppid() != parent) // it died before the line above
       _exit(127);
     sigset_t none;
@@ -133,6 +136,10 @@ ChildResult run_child(const std::vector<std::string>& arguments, const ChildOpti
   const auto environment_pointers = pointers(environment);
   const std::string folder = options.working_folder.string();
 
+  rlimit own{};
+  getrlimit(RLIMIT_DATA, &own);
+  const rlim_t memory = std::min(own.rlim_max, options.memory_limit.value_or(own.rlim_cur));
+
   const std::string log = options.log.empty() ? "/dev/null" : options.log.string();
   Descriptor input(open("/dev/null", O_RDONLY | O_CLOEXEC));
   Descriptor output(open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
@@ -152,7 +159,8 @@ ChildResult run_child(const std::vector<std::string>& arguments, const ChildOpti
                       input.value(),
                       output.value(),
                       errors_out.value(),
-                      getpid()};
+                      getpid(),
+                      memory};
   const auto start = Wall::now();
   const pid_t child = fork();
   if (child < 0)

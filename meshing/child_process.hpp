@@ -14,6 +14,7 @@ struct ChildOptions {
   std::filesystem::path log{};                      // standard output and error, discarded when empty
   std::map<std::string, std::string> environment{}; // added to the parent's
   std::optional<double> wall_limit{};               // s; the child and its children are killed past it
+  std::optional<std::size_t> memory_limit{};        // bytes of each of them; what they ask for past it they do not get
 };
 
 struct ChildResult {

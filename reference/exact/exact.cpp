@@ -20,13 +20,18 @@ void misbehave(const std::string& mode) {
     throw std::runtime_error("exact was asked to throw (PFV_EXACT=throw)");
   if (mode == "crash")
     std::abort();
+  if (mode == "greedy") {
+    const std::vector<char> gigabyte(std::size_t(1) << 30);
+    std::ofstream("/dev/null").write(gigabyte.data(), 1); // or the compiler sees that nobody needs it
+    return;
+  }
   if (mode == "litter") {
     static const TemporaryFolder left_behind("exact");
     std::ofstream(left_behind.path() / "litter") << "as of a method that was killed\n";
     std::abort();
   }
   if (mode != "slow")
-    throw pfv::InputError("PFV_EXACT is '" + mode + "'; it can be fail, throw, crash, litter or slow");
+    throw pfv::InputError("PFV_EXACT is '" + mode + "'; it can be fail, throw, crash, greedy, litter or slow");
   std::this_thread::sleep_for(std::chrono::seconds(60));
 }
 

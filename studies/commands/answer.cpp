@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <memory>
+#include <new>
 
 namespace studies {
 
@@ -49,6 +50,9 @@ int answer(const AnswerOptions& options) {
     return exit_answered;
   } catch (const pfv::SolveError& error) {
     fmt::print(stderr, "{}\n", error.what());
+    return exit_solve_error;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "{} ran out of memory\n", method.name());
     return exit_solve_error;
   }
 }

@@ -67,6 +67,9 @@ Attempt attempt(const RunOrder& order, const Scratch& scratch) {
   meshing::ChildOptions options;
   options.log = order.log;
   options.wall_limit = order.wall_limit;
+#ifndef __SANITIZE_ADDRESS__ // which maps far more than it uses
+  options.memory_limit = static_cast<std::size_t>(order.memory_limit);
+#endif
   options.environment.emplace("TMPDIR", scratch.name());
   scratch.renew();
   for (const char* threads : {"OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "DEAL_II_NUM_THREADS"})

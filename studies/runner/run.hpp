@@ -20,6 +20,7 @@ struct RunOrder {
   int ranks = 1;
   bool samples = false;              // see Study
   double wall_limit = 1800;          // s, of each process
+  double memory_limit = 8e9;         // bytes, of each process
   std::filesystem::path answer_file; // where the kept answer goes
   std::filesystem::path log;         // what the processes print
   std::filesystem::path scratch;     // their temporary folder ($TMPDIR), empty before each and gone after the last

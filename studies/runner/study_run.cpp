@@ -196,12 +196,13 @@ std::vector<Row> run_study(const Study& study, const Scope& scope, const RunSett
       rows[i] = row;
       continue;
     }
-    tasks.push_back({i,
-                     planned,
-                     row,
-                     {settings.study_executable, stored.file, planned.method, planned.mesh_size, planned.ranks,
-                      study.samples, study.budget.wall_seconds, answer_file(settings.work.answers(), row.key),
-                      settings.work.logs() / (row.key + ".log"), settings.work.scratch() / row.key}});
+    tasks.push_back(
+        {i,
+         planned,
+         row,
+         {settings.study_executable, stored.file, planned.method, planned.mesh_size, planned.ranks, study.samples,
+          study.budget.wall_seconds, 2 * study.budget.memory_bytes, answer_file(settings.work.answers(), row.key),
+          settings.work.logs() / (row.key + ".log"), settings.work.scratch() / row.key}});
   }
   onlooker.planned(runs.size() - tasks.size(), runs.size());
 

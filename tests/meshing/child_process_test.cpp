@@ -73,6 +73,13 @@ TEST_F(ChildProcess, ReportsTheSignal) {
   EXPECT_EQ(result.how_it_ended(), "killed by signal 11 (Segmentation fault)");
 }
 
+TEST_F(ChildProcess, GetsNoMoreMemoryThanItsLimit) {
+  const std::string takes_a_gigabyte = "dd if=/dev/zero of=/dev/null bs=1G count=1";
+  EXPECT_TRUE(shell(takes_a_gigabyte).succeeded()) << output();
+  EXPECT_FALSE(shell(takes_a_gigabyte, {.memory_limit = 100'000'000}).succeeded());
+  EXPECT_NE(output().find("memory"), std::string::npos) << output();
+}
+
 TEST_F(ChildProcess, StopsAtTheWallLimitAndTakesTheWholeGroup) {
   const auto result = shell("sleep 60 & echo $!; wait", {.wall_limit = 0.3});
   EXPECT_TRUE(result.timed_out);

@@ -112,6 +112,17 @@ TEST_F(Program, ARunThatTakesTooLongIsStopped) {
   EXPECT_NE(rows()[0].message.find("stopped after"), std::string::npos) << rows()[0].message;
 }
 
+TEST_F(Program, ARunThatTakesTooMuchMemoryFails) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer maps more memory than any limit";
+#endif
+  write_study(with("[[method]]", "[budget]\nmemory_bytes = 4e8\n[[method]]"));
+  EXPECT_EQ(run({"--quick"}, {{"PFV_EXACT", "greedy"}}).exit_code, 1);
+  ASSERT_EQ(rows().size(), 2U);
+  EXPECT_NE(rows()[0].message.find("out of memory"), std::string::npos) << rows()[0].message;
+  EXPECT_EQ(run({"--quick", "--retry-failed", "--memory-budget", "1e9"}, {{"PFV_EXACT", "greedy"}}).exit_code, 0);
+}
+
 TEST_F(Program, WhatIsOverBudgetIsNotRun) {
   write_study(study_text);
   EXPECT_EQ(run({"--quick", "--cpu-budget", "1e-9"}).exit_code, 0);
