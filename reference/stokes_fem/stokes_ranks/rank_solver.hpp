@@ -5,7 +5,7 @@
 namespace reference::stokes_fem {
 
 struct RankSolverSettings {
-  double residual = 1e-9;  // of all equations, in the preconditioner's norm, in units of that of the load
+  double residual = 1e-8;  // of all equations, in the preconditioner's norm, in units of that of the load
   double imbalance = 1e-7; // |inflow / outflow - 1|
   int iterations = 2000;
 };
