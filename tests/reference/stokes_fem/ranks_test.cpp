@@ -5,6 +5,7 @@
 #include "pfv/problem/generate.hpp"
 #include "reference/stokes_fem/flow_on_mesh.hpp"
 #include "reference/stokes_fem/solve_on_ranks.hpp"
+#include "reference/stokes_fem/stokes_fem.hpp"
 #include "reference/temporary_folder.hpp"
 #include "support/message_of.hpp"
 
@@ -98,7 +99,12 @@ TEST_F(Ranks, GiveTheFlowOfOneProcessInABoxThatRepeats) {
   pfv::Case problem;
   problem.packing = pfv::lattice_packing(pfv::Lattice::bcc, 0.45, 1, 1, everywhere);
   problem.faces = pfv::flow_along(Axis::x, 1, everywhere, problem.packing.box);
-  expect_same(answer(problem, 2, std::nullopt), answer(problem, 2, SharedSolve{3, wall_limit}));
+  const auto method = reference::make_stokes_fem();
+  ASSERT_TRUE(method->runs_on_ranks());
+  pfv::Clock clock;
+  const auto alone = method->solve(problem, {.mesh_size = 2.5}, clock);
+  expect_same(alone, method->solve(problem, {.mesh_size = 2.5, .ranks = 3}, clock));
+  EXPECT_FALSE(alone.counts.contains("ranks"));
 }
 
 TEST_F(Ranks, OneThatIsKilledIsAFailureWithACause) {
