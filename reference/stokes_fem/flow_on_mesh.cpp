@@ -57,8 +57,10 @@ void add_counts(const MeshFacts& mesh, const StokesSolution& solution, Answer& a
 
 void add_ranks(const SharedSolve& shared, double memory, Answer& answer) {
   answer.counts["ranks"] = shared.ranks;
+  answer.counts.erase("factor_entries"); // nothing is factored
   answer.counts[memory_count] = std::max(memory, static_cast<double>(pfv::peak_memory_bytes()));
-  answer.notes["solver"] = "MINRES on ranks (PETSc), a BoomerAMG cycle on velocities, scaled BFBt with MUMPS";
+  answer.notes["solver"] =
+      "MINRES on ranks (PETSc), BoomerAMG cycles for velocities and in the scaled BFBt preconditioner";
 }
 
 } // namespace

@@ -25,7 +25,6 @@ std::string to_json(const RanksReply& reply) {
               {"velocity_nodes", reply.velocity_nodes},
               {"pressure_nodes", reply.pressure_nodes},
               {"free_velocities", reply.free_velocities},
-              {"factor_entries", reply.factor_entries},
               {"assemble_seconds", reply.assemble_seconds},
               {"factor_seconds", reply.factor_seconds},
               {"solve_seconds", reply.solve_seconds},
@@ -44,7 +43,6 @@ RanksReply ranks_reply_from_json(const std::string& text) {
   from.at("velocity_nodes").get_to(reply.velocity_nodes);
   from.at("pressure_nodes").get_to(reply.pressure_nodes);
   from.at("free_velocities").get_to(reply.free_velocities);
-  from.at("factor_entries").get_to(reply.factor_entries);
   from.at("assemble_seconds").get_to(reply.assemble_seconds);
   from.at("factor_seconds").get_to(reply.factor_seconds);
   from.at("solve_seconds").get_to(reply.solve_seconds);

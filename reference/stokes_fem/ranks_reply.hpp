@@ -17,7 +17,6 @@ struct RanksReply {
   std::size_t velocity_nodes = 0;
   std::size_t pressure_nodes = 0;
   std::size_t free_velocities = 0;
-  double factor_entries = 0;
   double assemble_seconds = 0; // CPU, all ranks
   double factor_seconds = 0;
   double solve_seconds = 0;

@@ -46,8 +46,7 @@ FlowOnRanks solve_on_ranks(const pfv::Case& problem, const std::filesystem::path
              .residual = reply.residual,
              .imbalance = reply.imbalance,
              .iterations = reply.iterations,
-             .free_velocities = reply.free_velocities,
-             .factor_entries = reply.factor_entries},
+             .free_velocities = reply.free_velocities},
             reply.peak_memory};
   } catch (const std::exception& error) {
     throw pfv::SolveError(fmt::format("the reply of stokes_ranks cannot be read: {}", error.what()));

@@ -101,7 +101,6 @@ void answer(const std::filesystem::path& mesh, double bridge_radius) {
   reply.velocity_nodes = share.numbering.velocity[0].size();
   reply.pressure_nodes = share.numbering.pressure.size();
   reply.free_velocities = share.system->laplacian.m();
-  reply.factor_entries = preconditioner.factor_entries();
   reply.factor_seconds = over_ranks(pfv::process_cpu_seconds()) - reply.assemble_seconds;
   const auto solution = solve(*share.system, preconditioner, RankSolverSettings{});
   reply.face_flux = solution->face_flux;
@@ -112,17 +111,6 @@ void answer(const std::filesystem::path& mesh, double bridge_radius) {
   reply.solve_seconds = over_ranks(pfv::process_cpu_seconds()) - reply.assemble_seconds - reply.factor_seconds;
   reply.peak_memory = over_ranks(static_cast<double>(pfv::peak_memory_bytes()));
   write(*solution, share.numbering, reply);
-}
-
-// What BoomerAMG does is chosen by options only. A cheap cycle is enough, as the pressures set the pace: better ones
-// save 5 % of the iterations.
-void choose_multigrid() {
-  for (const auto& [name, value] : {std::pair{"coarsen_type", "HMIS"},
-                                    {"interp_type", "ext+i"},
-                                    {"P_max", "4"},
-                                    {"strong_threshold", "0.5"},
-                                    {"agg_nl", "1"}})
-    check(PetscOptionsSetValue(nullptr, (std::string("-velocity_pc_hypre_boomeramg_") + name).c_str(), value));
 }
 
 } // namespace
@@ -143,7 +131,6 @@ int main(int argc, char** argv) {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   try {
     check(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
-    choose_multigrid();
     answer(mesh, bridge_radius);
     return 0;
   } catch (const std::exception& error) {
