@@ -6,6 +6,7 @@
 #include "reference/stokes_fem/discretise.hpp"
 #include "reference/stokes_fem/estimate_cost.hpp"
 #include "reference/stokes_fem/flow_on_mesh.hpp"
+#include "reference/stokes_fem/ranks_cost.hpp"
 #include "reference/walls_and_pressures.hpp"
 
 #include <algorithm>
@@ -77,7 +78,9 @@ public:
   bool runs_on_ranks() const override { return true; }
 
   Estimate estimate(const pfv::Case& problem, const Request& request) const override {
-    return stokes_fem::estimate_cost(problem, mesh_settings(request).mesh_size);
+    const double mesh_size = mesh_settings(request).mesh_size;
+    return request.ranks > 1 ? stokes_fem::estimate_cost_on_ranks(problem, mesh_size, request.ranks)
+                             : stokes_fem::estimate_cost(problem, mesh_size);
   }
 
   Answer solve(const pfv::Case& problem, const Request& request, pfv::Clock& clock) const override {
