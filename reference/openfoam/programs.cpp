@@ -2,6 +2,7 @@
 
 #include "pfv/problem/error.hpp"
 #include "reference/on_path.hpp"
+#include "reference/ranks.hpp"
 #include "reference/temporary_folder.hpp"
 
 #include <algorithm>
@@ -103,15 +104,9 @@ meshing::ChildResult run_program(const std::filesystem::path& folder, const std:
 }
 
 meshing::ChildResult run_on_ranks(const std::filesystem::path& folder, const std::string& program, int ranks) {
-  if (!on_path("mpirun"))
-    throw pfv::SolveError(fmt::format("{} ranks need mpirun on PATH (Debian package openmpi-bin)", ranks));
   auto options = options_in(folder, program);
-  options.environment.insert({{"OMPI_ALLOW_RUN_AS_ROOT", "1"},
-                              {"OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"},
-                              {"OMPI_MCA_mpi_yield_when_idle", "1"}});
-  return checked(program,
-                 {"mpirun", "--oversubscribe", "--bind-to", "none", "-np", std::to_string(ranks), program, "-parallel"},
-                 options);
+  prepare_for_ranks(options);
+  return checked(program, on_ranks(ranks, {program, "-parallel"}), options);
 }
 
 } // namespace reference::openfoam

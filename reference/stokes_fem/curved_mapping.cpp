@@ -182,6 +182,23 @@ CurvedEdges curve_edges(const Triangulation<3>& mesh, const SurfaceById& surface
   return edges;
 }
 
+CurvedEdges edges_in_part(const CurvedEdges& edges, const Triangulation<3>& part, const std::vector<unsigned>& vertex,
+                          const std::vector<std::size_t>& cell) {
+  CurvedEdges kept;
+  for (const auto& here : part.active_cell_iterators()) {
+    const bool is_curved = edges.cell_is_curved[cell[here->active_cell_index()]];
+    kept.cell_is_curved.push_back(is_curved);
+    kept.curved_cells += is_curved ? 1 : 0;
+    for (const auto& [a, b] : edge_ends()) {
+      const unsigned first = here->vertex_index(a);
+      const unsigned second = here->vertex_index(b);
+      if (const auto moved = edges.middle.find(edge_key(vertex[first], vertex[second])); moved != edges.middle.end())
+        kept.middle.emplace(edge_key(first, second), moved->second);
+    }
+  }
+  return kept;
+}
+
 CurvedMapping::CurvedMapping(std::shared_ptr<const CurvedEdges> edges)
     : dealii::MappingFE<3>(dealii::FE_SimplexP<3>(2)), edges_(std::move(edges)) {}
 

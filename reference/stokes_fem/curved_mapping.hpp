@@ -32,6 +32,11 @@ using SurfaceById = std::function<ExactSurface(unsigned)>;
 CurvedEdges curve_edges(const dealii::Triangulation<3>& mesh, const SurfaceById& surface,
                         const std::vector<unsigned>& vertex_number);
 
+/// What of the curved edges is in a part of the mesh: `vertex` gives the whole mesh's number of each of the part's
+/// vertices, `cell` that of each of its active cells.
+CurvedEdges edges_in_part(const CurvedEdges& edges, const dealii::Triangulation<3>& part,
+                          const std::vector<unsigned>& vertex, const std::vector<std::size_t>& cell);
+
 /// Quadratic map of each tetrahedron from its four vertices and six edge middles.
 class CurvedMapping : public dealii::MappingFE<3> {
 public:

@@ -34,8 +34,8 @@ void check_labelled(const Discretisation& discretisation, const std::filesystem:
 
 } // namespace
 
-std::shared_ptr<const Discretisation> discretise(const std::filesystem::path& mesh, const pfv::Case& unit,
-                                                 const pfv::Vec3& origin, double length, double bridge_radius) {
+std::shared_ptr<Discretisation> discretise(const std::filesystem::path& mesh, const pfv::Case& unit,
+                                           const pfv::Vec3& origin, double length, double bridge_radius) {
   dealii::MultithreadInfo::set_thread_limit(1);
   auto made = std::make_shared<Discretisation>();
   const BoundaryLabels labels = read_labels(mesh, unit.packing.spheres.size());

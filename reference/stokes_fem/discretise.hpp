@@ -18,8 +18,8 @@ struct Discretisation;
 /// surfaces. `origin` and `length` (m) are where the unit box begins in the file and how long its unit is. In a
 /// periodic box the packing is that of meshing::with_images, and opposite nodes are one. Throws
 /// pfv::SolveError when the file is not such a mesh.
-std::shared_ptr<const Discretisation> discretise(const std::filesystem::path& mesh, const pfv::Case& unit,
-                                                 const pfv::Vec3& origin, double length, double bridge_radius);
+std::shared_ptr<Discretisation> discretise(const std::filesystem::path& mesh, const pfv::Case& unit,
+                                           const pfv::Vec3& origin, double length, double bridge_radius);
 
 struct MeshFacts {
   std::size_t cells = 0;

@@ -3,6 +3,7 @@
 #include "meshing/periodic_images.hpp"
 #include "reference/stokes_fem/forces.hpp"
 #include "reference/stokes_fem/sample.hpp"
+#include "reference/stokes_fem/solve_on_ranks.hpp"
 #include "reference/stokes_fem/stokes_solver.hpp"
 #include "reference/stokes_fem/unit_case.hpp"
 
@@ -54,15 +55,27 @@ void add_counts(const MeshFacts& mesh, const StokesSolution& solution, Answer& a
   answer.counts["flux_imbalance"] = solution.imbalance;
 }
 
+void add_ranks(const SharedSolve& shared, double memory, Answer& answer) {
+  answer.counts["ranks"] = shared.ranks;
+  answer.counts.erase("factor_entries"); // nothing is factored
+  answer.counts[memory_count] = std::max(memory, static_cast<double>(pfv::peak_memory_bytes()));
+  answer.notes["solver"] =
+      "MINRES on ranks (PETSc), BoomerAMG cycles for velocities and in the scaled BFBt preconditioner";
+}
+
 } // namespace
 
 Answer flow_on_mesh(const pfv::Case& problem, const std::filesystem::path& mesh, double bridge_radius,
-                    pfv::Clock& clock, const Probes& probes) {
+                    pfv::Clock& clock, const Probes& probes, const std::optional<SharedSolve>& shared) {
   const meshing::ImagedPacking imaged = meshing::with_images(problem.packing, periodic_axes(problem.faces));
   pfv::Case seen = problem;
   seen.packing = imaged.packing;
   const UnitCase unit = unit_case(seen);
   Answer answer;
+  // Before this process holds a mesh of its own, for which the ranks' memory may be needed.
+  std::optional<FlowOnRanks> from_ranks;
+  if (shared)
+    from_ranks = solve_on_ranks(problem, mesh, bridge_radius, shared->ranks, shared->wall_limit, clock);
   std::shared_ptr<const Discretisation> space;
   StokesSystem system;
   Boundary boundary;
@@ -72,7 +85,8 @@ Answer flow_on_mesh(const pfv::Case& problem, const std::filesystem::path& mesh,
     boundary = make_boundary(*space, unit.driving);
     system = assemble(*space);
   }
-  StokesSolution solution = solve_stokes(system, boundary, unit.driving, SolverSettings{}, clock);
+  StokesSolution solution = from_ranks ? std::move(from_ranks->solution)
+                                       : solve_stokes(system, boundary, unit.driving, SolverSettings{}, clock);
   {
     const auto timing = clock.stage("forces");
     set_level(unit, system, solution.flow.pressure);
@@ -89,6 +103,8 @@ Answer flow_on_mesh(const pfv::Case& problem, const std::filesystem::path& mesh,
   answer.notes["library"] = element_library();
   answer.notes["element"] = "Taylor-Hood P2/P1 on curved tetrahedra";
   answer.notes["solver"] = "CG on the Schur complement, CHOLMOD velocity solves, scaled BFBt preconditioner";
+  if (from_ranks)
+    add_ranks(*shared, from_ranks->peak_memory, answer);
   return answer;
 }
 

@@ -6,6 +6,7 @@
 #include "reference/stokes_fem/discretise.hpp"
 #include "reference/stokes_fem/estimate_cost.hpp"
 #include "reference/stokes_fem/flow_on_mesh.hpp"
+#include "reference/stokes_fem/ranks_cost.hpp"
 #include "reference/walls_and_pressures.hpp"
 
 #include <algorithm>
@@ -76,8 +77,12 @@ public:
   // 3.1 to 4.5, where 4 is what quadratic elements on quadratic cells give a smooth flow.
   std::optional<double> convergence_order() const override { return 3.5; }
 
+  bool runs_on_ranks() const override { return true; }
+
   Estimate estimate(const pfv::Case& problem, const Request& request) const override {
-    return stokes_fem::estimate_cost(problem, mesh_settings(request).mesh_size);
+    const double mesh_size = mesh_settings(request).mesh_size;
+    return request.ranks > 1 ? stokes_fem::estimate_cost_on_ranks(problem, mesh_size, request.ranks)
+                             : stokes_fem::estimate_cost(problem, mesh_size);
   }
 
   Answer solve(const pfv::Case& problem, const Request& request, pfv::Clock& clock) const override {
@@ -87,7 +92,10 @@ public:
     const meshing::VoidMesh mesh = meshing::void_mesh(problem, settings, meshing::default_mesh_cache());
     pfv::Clock own;
     own.add("mesh", mesh.cpu_seconds);
-    Answer answer = stokes_fem::flow_on_mesh(problem, mesh.file, settings.bridge_radius, own, request.probes);
+    std::optional<stokes_fem::SharedSolve> shared;
+    if (request.ranks > 1)
+      shared = {request.ranks, 600 + 20 * estimate(problem, request).cpu_seconds};
+    Answer answer = stokes_fem::flow_on_mesh(problem, mesh.file, settings.bridge_radius, own, request.probes, shared);
     add_pressure_on_discs(beyond_periodic_faces(problem), *answer.sphere_forces, *answer.wall_forces);
     give_normal_parts_to_slip_walls(problem, *answer.sphere_forces, *answer.wall_forces);
     for (const pfv::Stage& stage : own.stages())

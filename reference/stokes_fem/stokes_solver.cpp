@@ -1,9 +1,9 @@
 #include "reference/stokes_fem/stokes_solver.hpp"
 
 #include "pfv/problem/error.hpp"
+#include "reference/stokes_fem/flux_imbalance.hpp"
 #include "reference/stokes_fem/schur_complement.hpp"
 
-#include <cmath>
 #include <cstdio>
 
 namespace reference::stokes_fem {
@@ -34,14 +34,6 @@ std::array<double, 6> fluxes(const Velocity& velocity, const VelocityComponents&
   return flux;
 }
 
-double imbalance(const std::array<double, 6>& face_flux) {
-  double inflow = 0;
-  double outflow = 0;
-  for (const double flux : face_flux)
-    (flux > 0 ? outflow : inflow) += std::abs(flux);
-  return inflow == outflow ? 0 : std::abs(inflow / outflow - 1);
-}
-
 bool converged(const StokesSolution& solution, const SolverSettings& settings) {
   return solution.residual < settings.residual && solution.imbalance < settings.imbalance;
 }
@@ -67,7 +59,7 @@ void iterate(const SchurComplement& schur, const CommutatorPreconditioner& preco
   const auto check = [&] {
     solution.residual = start > 0 ? residual.norm() / start : 0;
     solution.face_flux = fluxes(velocity, components, boundary);
-    solution.imbalance = imbalance(solution.face_flux);
+    solution.imbalance = flux_imbalance(solution.face_flux);
   };
   check();
   while (start > 0 && !converged(solution, settings)) {

@@ -1,9 +1,7 @@
 #include "reference/stokes_fem/stokes_system.hpp"
 
-#include "reference/stokes_fem/discretisation.hpp"
+#include "reference/stokes_fem/cell_integrals.hpp"
 
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
 #include <algorithm>
@@ -53,60 +51,33 @@ StokesSystem empty_system(const Discretisation& space) {
           Eigen::VectorXd::Zero(m)};
 }
 
-void add_cell(const dealii::FEValues<3>& velocity, const dealii::FEValues<3>& pressure, const Dofs& nodes,
-              const Dofs& pressures, StokesSystem& system) {
-  Eigen::Matrix<double, 10, 10> stiffness = Eigen::Matrix<double, 10, 10>::Zero();
-  std::array<Eigen::Matrix<double, 4, 10>, 3> coupling;
-  coupling.fill(Eigen::Matrix<double, 4, 10>::Zero());
-  for (const unsigned q : velocity.quadrature_point_indices()) {
-    const double weight = velocity.JxW(q);
-    Eigen::Matrix<double, 10, 3> gradients;
-    for (unsigned i = 0; i < 10; ++i)
-      for (unsigned c = 0; c < 3; ++c)
-        gradients(i, c) = velocity.shape_grad(i, q)[c];
-    stiffness += weight * gradients * gradients.transpose();
-    for (unsigned k = 0; k < 4; ++k)
-      for (unsigned c = 0; c < 3; ++c)
-        coupling[c].row(k) += weight * pressure.shape_value(k, q) * gradients.col(c).transpose();
-    for (unsigned i = 0; i < 10; ++i)
-      system.node_volume[static_cast<Eigen::Index>(nodes[i])] += weight * velocity.shape_value(i, q);
-    for (unsigned k = 0; k < 4; ++k)
-      system.pressure_volume[static_cast<Eigen::Index>(pressures[k])] += weight * pressure.shape_value(k, q);
-  }
+void add_cell(const CellIntegrals& cell, const Dofs& nodes, const Dofs& pressures, StokesSystem& system) {
+  for (int i = 0; i < 10; ++i)
+    system.node_volume[static_cast<Eigen::Index>(nodes[i])] += cell.velocity_volume[i];
+  for (int k = 0; k < 4; ++k)
+    system.pressure_volume[static_cast<Eigen::Index>(pressures[k])] += cell.pressure_volume[k];
   for (int i = 0; i < 10; ++i)
     for (int j = 0; j < 10; ++j)
       if (nodes[i] >= nodes[j])
-        system.laplacian.coeffRef(static_cast<int>(nodes[i]), static_cast<int>(nodes[j])) += stiffness(i, j);
+        system.laplacian.coeffRef(static_cast<int>(nodes[i]), static_cast<int>(nodes[j])) += cell.stiffness(i, j);
   for (std::size_t c = 0; c < 3; ++c)
     for (int k = 0; k < 4; ++k)
       for (int i = 0; i < 10; ++i)
-        system.divergence[c].coeffRef(static_cast<int>(pressures[k]), static_cast<int>(nodes[i])) += coupling[c](k, i);
+        system.divergence[c].coeffRef(static_cast<int>(pressures[k]), static_cast<int>(nodes[i])) +=
+            cell.coupling[c](k, i);
 }
 
 } // namespace
 
 StokesSystem assemble(const Discretisation& space) {
   StokesSystem system = empty_system(space);
-  // On straight cells all integrands are polynomials of degree 2; on curved ones they are not polynomials at all.
-  const dealii::MappingFE<3> straight_mapping(space.linear);
-  const dealii::QGaussSimplex<3> few(2);
-  const dealii::QGaussSimplex<3> many(3);
-  const auto gradients = dealii::update_values | dealii::update_gradients | dealii::update_JxW_values;
-  dealii::FEValues<3> straight(straight_mapping, space.quadratic, few, gradients);
-  dealii::FEValues<3> straight_pressure(straight_mapping, space.linear, few, dealii::update_values);
-  dealii::FEValues<3> curved(*space.mapping, space.quadratic, many, gradients);
-  dealii::FEValues<3> curved_pressure(*space.mapping, space.linear, many, dealii::update_values);
+  CellIntegrator integrate(*space.mapping);
   Dofs nodes(10);
   Dofs pressures(4);
   for (const auto& cell : space.mesh.active_cell_iterators()) {
     velocity_nodes(space, cell, nodes);
     pressure_nodes(space, cell, pressures);
-    const bool is_curved = space.mapping->is_curved(cell);
-    dealii::FEValues<3>& velocity = is_curved ? curved : straight;
-    dealii::FEValues<3>& pressure = is_curved ? curved_pressure : straight_pressure;
-    velocity.reinit(cell);
-    pressure.reinit(cell);
-    add_cell(velocity, pressure, nodes, pressures, system);
+    add_cell(integrate(cell), nodes, pressures, system);
   }
   return system;
 }
