@@ -17,6 +17,24 @@ double richardson(const Sample& coarse, const Sample& fine, double order) {
   return fine.value + (fine.value - coarse.value) / (ratio - 1);
 }
 
+// The p between 1 and `order` that comes nearest to putting the values on f0 + C h^p, by bisection: the quotient of
+// their differences grows with p. Values that do not approach anything are of order 1.
+double decay_order(const Sample& coarse, const Sample& middle, const Sample& fine, double order) {
+  const double quotient = (coarse.value - middle.value) / (middle.value - fine.value);
+  const auto expected = [&](double p) {
+    const double h = std::pow(middle.mesh_size, p);
+    return (std::pow(coarse.mesh_size, p) - h) / (h - std::pow(fine.mesh_size, p));
+  };
+  double low = 1, high = std::max(1.0, order);
+  if (!(quotient > expected(low)))
+    return low;
+  for (int i = 0; i < 60; ++i) {
+    const double between = (low + high) / 2;
+    (expected(between) < quotient ? low : high) = between;
+  }
+  return (low + high) / 2;
+}
+
 } // namespace
 
 Bounded extrapolate(std::vector<Sample> samples, std::optional<double> order) {
@@ -38,8 +56,8 @@ Bounded extrapolate(std::vector<Sample> samples, std::optional<double> order) {
   const Sample coarsest = samples[samples.size() - 3];
   const double value = richardson(coarse, fine, *order);
   const double before = richardson(coarsest, coarse, *order);
-  const double first_order = coarse.mesh_size / fine.mesh_size - 1;
-  const double drift = std::abs(value - before) / first_order;
+  const double decay = std::pow(coarse.mesh_size / fine.mesh_size, decay_order(coarsest, coarse, fine, *order));
+  const double drift = std::abs(value - before) / (decay - 1);
   return {value, std::max(drift, least_share * std::abs(fine.value - value)), order};
 }
 

@@ -27,17 +27,18 @@ inline constexpr double extrapolation_safety = 1.25;
 
 /// Three meshes: the least error, as a share of the distance between the finest value and the extrapolated one. That
 /// two pairs of meshes extrapolate to the same can be chance.
-inline constexpr double least_share = 0.2;
+inline constexpr double least_share = 0.5;
 
 /// Richardson extrapolation to mesh size 0 of samples in any order, different mesh sizes, f(h) = f0 + C h^p, p = order:
 ///   R = f_fine + (f_fine - f_coarse) / ((h_coarse / h_fine)^p - 1).
 /// Two samples: the error is 1.25 |f_fine - R|. Three or more, of which the finest three count: R' is the same from the
-/// coarser pair, and what is still wrong with R is as much as R' and R differ if it falls as slowly as h,
-///   error = max(|R - R'| / (h_coarse / h_fine - 1), 0.2 |f_fine - R|).
-/// So the error is small where the meshes follow the order, the whole truth where they are of order 1 instead, and
-/// large where they scatter. On cubic lattices (calibration.csv) it holds the truth; the ratios of error to bar are
-/// there. One sample, or no order: the finest value as it is, without an error. Throws pfv::InputError without samples
-/// or with two of one mesh size.
+/// coarser pair, and what is still wrong with R is taken to fall as the values themselves do, with the order q that
+/// they show between 1 and p (1 where they do not approach anything),
+///   error = max(|R - R'| / ((h_coarse / h_fine)^q - 1), 0.5 |f_fine - R|).
+/// So the error is small where the meshes follow the order, reaches the truth where they are of a lower one down to 1,
+/// and is large where they scatter. What it holds on cubic lattices is in calibration.csv beside this file. One sample,
+/// or no order: the finest value as it is, without an error. Throws pfv::InputError without samples or with two of one
+/// mesh size.
 Bounded extrapolate(std::vector<Sample> samples, std::optional<double> order);
 
 /// Many values of one kind with one half width for all of them.

@@ -59,9 +59,9 @@ std::string outcome_sentences(const Study& study, std::span<const Result> list) 
 std::string how_to_read(const Study& study) {
   std::string text = fmt::format(
       "Permeability k: with two or more meshes the Richardson value at mesh size zero; its error is, with "
-      "three, by how much the value of the coarser two differs from it, as if that fell no faster than the mesh size, "
-      "and "
-      "at least {} of the distance from the finest mesh to it; with two {} times that distance. Differences are "
+      "three, what is left of the drift from the value of the coarser two if it falls as the values do, and at least "
+      "{} "
+      "of the distance from the finest mesh to it; with two {} times that distance. Differences are "
       "relative to the reference, {}; that of the forces is "
       "sqrt(sum |F - F_ref|² / sum |F_ref|²) over the spheres. *Unresolved* is a difference below the reference's own "
       "error. Two answers agree when permeability is within {}, forces within {}, or either within the error bars.\n\n"
