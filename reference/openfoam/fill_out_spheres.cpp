@@ -78,6 +78,16 @@ pfv::Vec3 moved(const pfv::Vec3& point, const pfv::Vec3& centre, double radius, 
   return point + free * (std::sqrt(radius * radius - fixed) / length - 1);
 }
 
+void put_on_spheres(FoamMesh& mesh, const pfv::Packing& packing) {
+  for (const MeshPatch& patch : mesh.patches)
+    if (const auto* surface = std::get_if<SphereSurface>(&patch.part))
+      for (std::size_t face = patch.first; face < patch.first + patch.faces; ++face)
+        for (const std::size_t point : mesh.face(face)) {
+          const pfv::Sphere& sphere = packing.spheres[surface->sphere];
+          mesh.points[point] = moved(mesh.points[point], sphere.centre, sphere.radius, packing.box);
+        }
+}
+
 // Whether a face's cell lies on the inner side of it.
 bool turned(const FoamMesh& mesh, std::size_t face) {
   const pfv::Vec3 area = mesh.area(face), centre = mesh.centre(face);
@@ -106,15 +116,20 @@ void put_back_turned(FoamMesh& mesh, const std::vector<pfv::Vec3>& before, std::
 } // namespace
 
 std::size_t fill_out_spheres(FoamMesh& mesh, const pfv::Packing& packing) {
-  const auto surface = surface_points(mesh, packing.spheres);
   const auto before = mesh.points;
+  put_on_spheres(mesh, packing);
+  const auto surface = surface_points(mesh, packing.spheres);
+  for (std::size_t index = 0; index < surface.size(); ++index)
+    if (surface[index].elsewhere)
+      mesh.points[index] = before[index];
   std::vector<char> has_moved(mesh.points.size(), false);
   for (std::size_t index = 0; index < surface.size(); ++index) {
     const SurfacePoint& point = surface[index];
     if (!point.sphere || point.elsewhere)
       continue;
     const pfv::Sphere& sphere = packing.spheres[*point.sphere];
-    mesh.points[index] = moved(before[index], sphere.centre, sphere.radius + point.deficit / point.area, packing.box);
+    mesh.points[index] =
+        moved(mesh.points[index], sphere.centre, sphere.radius + point.deficit / point.area, packing.box);
     has_moved[index] = true;
   }
   mesh.cell_centres = cell_centres(mesh);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <fstream>
 #include <numbers>
 
@@ -149,16 +150,45 @@ FoamMesh read_mesh(const std::filesystem::path& case_folder) {
   return mesh;
 }
 
-void write_points(const std::filesystem::path& case_folder, const FoamMesh& mesh) {
-  const auto file = case_folder / "constant" / "polyMesh" / "points";
+namespace {
+
+// OpenFOAM's list of `size` items, written by `item(k)`.
+template <class Item>
+void write_list(const std::filesystem::path& file, std::string_view kind, std::size_t size, Item item) {
   std::ofstream out(file);
-  out << "FoamFile { version 2.0; format ascii; class vectorField; object points; }\n// * * //\n"
-      << mesh.points.size() << "\n(\n";
-  for (const pfv::Vec3& point : mesh.points)
-    out << fmt::format("({} {} {})\n", point.x(), point.y(), point.z());
+  out << "FoamFile { version 2.0; format ascii; class " << kind << "; object " << file.filename().string()
+      << "; }\n// * * //\n"
+      << size << "\n(\n";
+  for (std::size_t k = 0; k < size; ++k)
+    out << item(k) << '\n';
   out << ")\n";
   if (!out.flush())
     throw pfv::SolveError("cannot write " + file.string());
+}
+
+} // namespace
+
+void write_points(const std::filesystem::path& case_folder, const FoamMesh& mesh) {
+  write_list(case_folder / "constant" / "polyMesh" / "points", "vectorField", mesh.points.size(), [&](std::size_t k) {
+    const pfv::Vec3& point = mesh.points[k];
+    return fmt::format("({} {} {})", point.x(), point.y(), point.z());
+  });
+}
+
+void write_mesh(const std::filesystem::path& case_folder, const FoamMesh& mesh) {
+  const auto folder = case_folder / "constant" / "polyMesh";
+  for (const char* zones : {"cellZones", "faceZones", "pointZones"})
+    std::filesystem::remove(folder / zones);
+  write_points(case_folder, mesh);
+  write_list(folder / "faces", "faceList", mesh.faces(),
+             [&](std::size_t k) { return fmt::format("{}({})", mesh.face(k).size(), fmt::join(mesh.face(k), " ")); });
+  write_list(folder / "owner", "labelList", mesh.owner.size(), [&](std::size_t k) { return mesh.owner[k]; });
+  write_list(folder / "neighbour", "labelList", mesh.neighbour.size(),
+             [&](std::size_t k) { return mesh.neighbour[k]; });
+  write_list(folder / "boundary", "polyBoundaryMesh", mesh.patches.size(), [&](std::size_t k) {
+    const MeshPatch& patch = mesh.patches[k];
+    return fmt::format("{} {{ type patch; nFaces {}; startFace {}; }}", patch.name, patch.faces, patch.first);
+  });
 }
 
 double non_orthogonality(const FoamMesh& mesh) {

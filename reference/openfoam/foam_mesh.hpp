@@ -51,6 +51,9 @@ FoamMesh read_mesh(const std::filesystem::path& case_folder);
 /// Writes constant/polyMesh/points. Throws pfv::SolveError when it cannot.
 void write_points(const std::filesystem::path& case_folder, const FoamMesh& mesh);
 
+/// Writes constant/polyMesh, all patches as plain ones, without zones. Throws pfv::SolveError when it cannot.
+void write_mesh(const std::filesystem::path& case_folder, const FoamMesh& mesh);
+
 /// Largest angle in degrees between the line that joins two cell centres and the normal of the face between them.
 double non_orthogonality(const FoamMesh& mesh);
 

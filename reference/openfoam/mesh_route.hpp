@@ -42,7 +42,7 @@ public:
                     pfv::Clock& clock) const = 0;
 };
 
-/// Tetrahedra by gmsh, small in the gaps; shared with the finite elements' mesher and its cache.
+/// The dual of tetrahedra by gmsh, small in the gaps; shared with the finite elements' mesher and its cache.
 std::unique_ptr<MeshRoute> make_gmsh_route();
 
 /// Cubes cut by the spheres and moved onto them, by OpenFOAM's own blockMesh and snappyHexMesh.

@@ -17,22 +17,20 @@ double richardson(const Sample& coarse, const Sample& fine, double order) {
   return fine.value + (fine.value - coarse.value) / (ratio - 1);
 }
 
-// The p that makes three values lie on f0 + C h^p, by bisection: the quotient grows with p. Nothing outside [low,
-// high].
-std::optional<double> observed_order(const Sample& coarse, const Sample& middle, const Sample& fine, double low,
-                                     double high) {
+// The p between 1 and `order` that comes nearest to putting the values on f0 + C h^p, by bisection: the quotient of
+// their differences grows with p. Values that do not approach anything are of order 1.
+double decay_order(const Sample& coarse, const Sample& middle, const Sample& fine, double order) {
   const double quotient = (coarse.value - middle.value) / (middle.value - fine.value);
-  if (!std::isfinite(quotient) || quotient <= 0)
-    return std::nullopt;
   const auto expected = [&](double p) {
     const double h = std::pow(middle.mesh_size, p);
     return (std::pow(coarse.mesh_size, p) - h) / (h - std::pow(fine.mesh_size, p));
   };
-  if (quotient < expected(low) || quotient > expected(high))
-    return std::nullopt;
+  double low = 1, high = std::max(1.0, order);
+  if (!(quotient > expected(low)))
+    return low;
   for (int i = 0; i < 60; ++i) {
-    const double middle_order = (low + high) / 2;
-    (expected(middle_order) < quotient ? low : high) = middle_order;
+    const double between = (low + high) / 2;
+    (expected(between) < quotient ? low : high) = between;
   }
   return (low + high) / 2;
 }
@@ -56,11 +54,11 @@ Bounded extrapolate(std::vector<Sample> samples, std::optional<double> order) {
     return {value, extrapolation_safety * std::abs(fine.value - value), order};
   }
   const Sample coarsest = samples[samples.size() - 3];
-  const auto observed = observed_order(coarsest, coarse, fine, 0.5, *order + 1);
-  const double value = richardson(coarse, fine, observed.value_or(*order));
-  const auto [least, most] = std::minmax({coarsest.value, coarse.value, fine.value});
-  const double spread = observed ? 0 : most - least;
-  return {value, extrapolation_safety * std::max(std::abs(fine.value - value), spread), observed.value_or(*order)};
+  const double value = richardson(coarse, fine, *order);
+  const double before = richardson(coarsest, coarse, *order);
+  const double decay = std::pow(coarse.mesh_size / fine.mesh_size, decay_order(coarsest, coarse, fine, *order));
+  const double drift = std::abs(value - before) / (decay - 1);
+  return {value, std::max(drift, least_share * std::abs(fine.value - value)), order};
 }
 
 BoundedField extrapolate_field(std::span<const double> mesh_sizes, std::span<const std::vector<double>> fields,

@@ -58,9 +58,11 @@ std::string outcome_sentences(const Study& study, std::span<const Result> list) 
 
 std::string how_to_read(const Study& study) {
   std::string text = fmt::format(
-      "Permeability k: with two or more meshes the Richardson value at mesh size zero; its error is {} times the "
-      "distance "
-      "from the finest mesh to it. Differences are relative to the reference, {}; that of the forces is "
+      "Permeability k: with two or more meshes the Richardson value at mesh size zero; its error is, with "
+      "three, what is left of the drift from the value of the coarser two if it falls as the values do, and at least "
+      "{} "
+      "of the distance from the finest mesh to it; with two {} times that distance. Differences are "
+      "relative to the reference, {}; that of the forces is "
       "sqrt(sum |F - F_ref|² / sum |F_ref|²) over the spheres. *Unresolved* is a difference below the reference's own "
       "error. Two answers agree when permeability is within {}, forces within {}, or either within the error bars.\n\n"
       "Dofs, CPU seconds and memory are those of the finest mesh, on one thread; memory is what the method itself adds "
@@ -69,7 +71,8 @@ std::string how_to_read(const Study& study) {
       "counted in full when it came from a cache; *once* is all other work done once per packing (geometry, assembly, "
       "factorisation); *solve* is what one more question to the same packing takes, forces included. Short runs are "
       "repeated and the one with the median CPU seconds is kept.\n",
-      extrapolation_safety, study.reference, percent(study.tolerance.permeability), percent(study.tolerance.forces));
+      least_share, extrapolation_safety, study.reference, percent(study.tolerance.permeability),
+      percent(study.tolerance.forces));
   if (!study.published_source.empty())
     text += fmt::format("\nPublished figures: {}.\n", study.published_source);
   return text;
