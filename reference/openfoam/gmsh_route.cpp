@@ -45,8 +45,9 @@ public:
   /// of the time; on the tetrahedra themselves they converged to a value several per cent off. The flux of H/A needs
   /// its skewness correction. With a relaxation from 0.8 to 0.98 the answer is the same; near 0.93 it takes the least
   /// time.
-  SolverSettings solver() const override { return {"Gauss linear", 0.93}; }
-  double seconds_per_cell() const override { return 8e-4; }
+  /// A residual of 1e-6 left fluxes 1.1e-5 out of balance where fluid moves freely along the open faces.
+  SolverSettings solver() const override { return {"Gauss linear", 0.93, 3e-7}; }
+  double seconds_per_cell() const override { return 9e-4; }
 
   Made make(const std::filesystem::path& folder, const pfv::Case& problem, double mesh_size,
             pfv::Clock& clock) const override {

@@ -180,7 +180,7 @@ Answer OpenFoam::solve(const pfv::Case& problem, const Request& request, pfv::Cl
 
 Estimate OpenFoam::estimate(const pfv::Case& problem, const Request& request) const {
   const double cells = route_->cells(problem, request.mesh_size);
-  return {4 * cells, route_->seconds_per_cell() * cells, 1e8 + 1300 * cells};
+  return {4 * cells, route_->seconds_per_cell() * cells, 1e8 + 2200 * cells};
 }
 
 } // namespace
