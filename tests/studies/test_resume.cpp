@@ -59,7 +59,7 @@ flow = { axis = "y" }
 )");
   {
     RunningStudy running({"run", folder.path().string()}, {{"PFV_EXACT", "slow"}}, folder.path() / "log");
-    ASSERT_TRUE(wait_for([&] { return a_process_mentions("answers/"); }));
+    ASSERT_TRUE(wait_for([&] { return a_process_mentions((folder.path() / "work" / "answers").string()); }));
     ASSERT_TRUE(wait_for([&] { return pfv::read_text(folder.path() / "log").find("started") != std::string::npos; }));
     running.kill();
   }
