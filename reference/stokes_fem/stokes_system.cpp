@@ -1,6 +1,7 @@
 #include "reference/stokes_fem/stokes_system.hpp"
 
 #include "reference/stokes_fem/discretisation.hpp"
+#include "reference/stokes_fem/edge_ends.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
@@ -50,7 +51,8 @@ StokesSystem empty_system(const Discretisation& space) {
   return {zero_matrix<SparseMatrix>(lower, n, n),
           {divergence, divergence, divergence},
           Eigen::VectorXd::Zero(n),
-          Eigen::VectorXd::Zero(m)};
+          Eigen::VectorXd::Zero(m),
+          {}};
 }
 
 void add_cell(const dealii::FEValues<3>& velocity, const dealii::FEValues<3>& pressure, const Dofs& nodes,
@@ -108,6 +110,7 @@ StokesSystem assemble(const Discretisation& space) {
     pressure.reinit(cell);
     add_cell(velocity, pressure, nodes, pressures, system);
   }
+  system.ends = edge_ends(space);
   return system;
 }
 
