@@ -51,13 +51,15 @@ void add_counts(const MeshFacts& mesh, const StokesSolution& solution, Answer& a
   answer.counts["factor_entries"] = solution.factor_entries;
   answer.counts["iterations"] = solution.iterations;
   answer.counts["residual"] = solution.residual;
+  answer.counts["momentum_residual"] = solution.momentum_residual;
+  answer.counts["velocity_iterations"] = solution.velocity_iterations;
   answer.counts["flux_imbalance"] = solution.imbalance;
 }
 
 } // namespace
 
 Answer flow_on_mesh(const pfv::Case& problem, const std::filesystem::path& mesh, double bridge_radius,
-                    pfv::Clock& clock, const Probes& probes) {
+                    pfv::Clock& clock, const Probes& probes, const SolverSettings& settings) {
   const meshing::ImagedPacking imaged = meshing::with_images(problem.packing, periodic_axes(problem.faces));
   pfv::Case seen = problem;
   seen.packing = imaged.packing;
@@ -72,7 +74,7 @@ Answer flow_on_mesh(const pfv::Case& problem, const std::filesystem::path& mesh,
     boundary = make_boundary(*space, unit.driving);
     system = assemble(*space);
   }
-  StokesSolution solution = solve_stokes(system, boundary, unit.driving, SolverSettings{}, clock);
+  StokesSolution solution = solve_stokes(system, boundary, unit.driving, settings, clock);
   {
     const auto timing = clock.stage("forces");
     set_level(unit, system, solution.flow.pressure);
@@ -88,7 +90,9 @@ Answer flow_on_mesh(const pfv::Case& problem, const std::filesystem::path& mesh,
   add_counts(facts(*space), solution, answer);
   answer.notes["library"] = element_library();
   answer.notes["element"] = "Taylor-Hood P2/P1 on curved tetrahedra";
-  answer.notes["solver"] = "CG on the Schur complement, CHOLMOD velocity solves, scaled BFBt preconditioner";
+  answer.notes["solver"] =
+      std::string("CG on the Schur complement, scaled BFBt preconditioner, ") +
+      (std::holds_alternative<Direct>(settings.inner) ? "solves by CHOLMOD" : "solves by CG with multigrid");
   return answer;
 }
 

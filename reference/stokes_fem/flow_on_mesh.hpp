@@ -4,6 +4,7 @@
 #include "pfv/problem/case.hpp"
 #include "reference/answer.hpp"
 #include "reference/probes.hpp"
+#include "reference/stokes_fem/stokes_solver.hpp"
 
 #include <filesystem>
 
@@ -14,6 +15,6 @@ namespace reference::stokes_fem {
 /// "assemble", "factor", "solve", "forces" and, when there are probes, "sample". Throws pfv::SolveError when the mesh
 /// is not one of this case or the solver does not reach its tolerance.
 Answer flow_on_mesh(const pfv::Case& problem, const std::filesystem::path& mesh, double bridge_radius,
-                    pfv::Clock& clock, const Probes& probes = {});
+                    pfv::Clock& clock, const Probes& probes = {}, const SolverSettings& settings = {});
 
 } // namespace reference::stokes_fem

@@ -13,20 +13,20 @@ Velocity inverse_diagonals(const VelocityComponents& components, const NodeLapla
   return laplacian.scatter(inverse, components);
 }
 
-SparseMatrix scaled_laplace(const VelocityComponents& components, const Velocity& inverse_diagonal) {
+SparseRows scaled_laplace(const VelocityComponents& components, const Velocity& inverse_diagonal) {
   const Eigen::Index size = components[0].divergence.rows();
   SparseRows laplace(size, size);
   for (std::size_t c = 0; c < 3; ++c) {
     const SparseRows scaled = components[c].divergence * inverse_diagonal[c].asDiagonal();
     laplace += SparseRows(scaled * SparseRows(components[c].divergence.transpose()));
   }
-  SparseMatrix lower = SparseMatrix(laplace).triangularView<Eigen::Lower>();
+  laplace = SparseRows(SparseMatrix(laplace)); // sorts each row
   // Pockets closed off from every pressure face, and pressures no free velocity sees, leave L singular but the
   // equations consistent: a shift far below L's other eigenvalues keeps the factor finite and the solution what it is.
-  const double shift = 1e-10 * lower.diagonal().maxCoeff();
-  for (Eigen::Index k = 0; k < size; ++k)
-    lower.coeffRef(k, k) += shift;
-  return lower;
+  SparseRows shift(size, size);
+  shift.setIdentity();
+  laplace += 1e-10 * laplace.diagonal().maxCoeff() * shift;
+  return laplace;
 }
 
 } // namespace
@@ -45,12 +45,13 @@ Velocity gradient(const VelocityComponents& components, const VectorXd& pressure
   return velocity;
 }
 
-CommutatorPreconditioner::CommutatorPreconditioner(const VelocityComponents& components, const NodeLaplacian& laplacian)
+CommutatorPreconditioner::CommutatorPreconditioner(const VelocityComponents& components, const NodeLaplacian& laplacian,
+                                                   const MakePressureSolver& make)
     : components_(components), laplacian_(laplacian), inverse_diagonal_(inverse_diagonals(components, laplacian)),
-      laplace_(scaled_laplace(components, inverse_diagonal_)) {}
+      laplace_(make(scaled_laplace(components, inverse_diagonal_))) {}
 
 VectorXd CommutatorPreconditioner::operator()(const VectorXd& residual) const {
-  Velocity flow = gradient(components_, laplace_.solve(residual));
+  Velocity flow = gradient(components_, laplace_->solve(residual));
   const auto scale = [&] {
     for (std::size_t c = 0; c < 3; ++c)
       flow[c].array() *= inverse_diagonal_[c].array();
@@ -58,7 +59,7 @@ VectorXd CommutatorPreconditioner::operator()(const VectorXd& residual) const {
   scale();
   flow = laplacian_.scatter(laplacian_ * laplacian_.gather(flow, components_), components_);
   scale();
-  return laplace_.solve(divergence(components_, flow));
+  return laplace_->solve(divergence(components_, flow));
 }
 
 } // namespace reference::stokes_fem

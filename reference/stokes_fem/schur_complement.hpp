@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reference/stokes_fem/cholesky.hpp"
+#include "reference/stokes_fem/pressure_solver.hpp"
 #include "reference/stokes_fem/velocity_solver.hpp"
 
 namespace reference::stokes_fem {
@@ -14,16 +14,19 @@ Velocity gradient(const VelocityComponents& components, const Eigen::VectorXd& p
 /// Howle, Shadid, Shuttleworth, Tuminaro 2006, SIAM J. Sci. Comput. 27, 1651, for S = B A^-1 B^T. Keeps references.
 class CommutatorPreconditioner {
 public:
-  CommutatorPreconditioner(const VelocityComponents& components, const NodeLaplacian& laplacian);
+  using MakePressureSolver = std::unique_ptr<PressureSolver> (*)(const SparseRows& laplacian);
+
+  CommutatorPreconditioner(const VelocityComponents& components, const NodeLaplacian& laplacian,
+                           const MakePressureSolver& make);
 
   Eigen::VectorXd operator()(const Eigen::VectorXd& residual) const;
-  double factor_entries() const { return laplace_.entries(); }
+  double factor_entries() const { return laplace_->factor_entries(); }
 
 private:
   const VelocityComponents& components_;
   const NodeLaplacian& laplacian_;
   Velocity inverse_diagonal_;
-  Cholesky laplace_;
+  std::unique_ptr<PressureSolver> laplace_;
 };
 
 } // namespace reference::stokes_fem

@@ -62,12 +62,14 @@ double norm(const Velocity& velocity) {
 
 struct Factored {
   Factored(const StokesSystem& system, const Boundary& boundary, const pfv::FaceConditions& faces,
-           const VelocitySolves& solves)
+           const InnerSolves& solves)
       : components(free_components(system, boundary, faces)), laplacian(node_laplacian(system.laplacian, components)),
         velocities(std::holds_alternative<Direct>(solves)
                        ? make_direct_velocity_solver(system.laplacian, components)
                        : make_multigrid_velocity_solver(laplacian, components, system.ends)),
-        precondition(components, laplacian) {}
+        precondition(components, laplacian,
+                     std::holds_alternative<Direct>(solves) ? make_direct_pressure_solver
+                                                            : make_multigrid_pressure_solver) {}
 
   VelocityComponents components;
   NodeLaplacian laplacian;
@@ -166,7 +168,7 @@ StokesSolution solve_stokes(const StokesSystem& system, const Boundary& boundary
   StokesSolution solution;
   const auto factored = [&] {
     const auto timing = clock.stage("factor");
-    return std::make_unique<Factored>(system, boundary, faces, settings.velocities);
+    return std::make_unique<Factored>(system, boundary, faces, settings.inner);
   }();
   for (const VelocityComponent& component : factored->components)
     solution.free_velocities += static_cast<std::size_t>(component.size);

@@ -9,12 +9,12 @@
 
 namespace reference::stokes_fem {
 
-struct Direct {};    // Cholesky factors: exact
-struct Multigrid {}; // conjugate gradients with VelocityMultigrid, each solve as exact as its step asks for
-using VelocitySolves = std::variant<Multigrid, Direct>;
+struct Direct {};    // Cholesky factors
+struct Multigrid {}; // conjugate gradients with multigrids, each velocity solve as exact as its step asks for
+using InnerSolves = std::variant<Multigrid, Direct>;
 
 struct SolverSettings {
-  VelocitySolves velocities = {};
+  InnerSolves inner = {};
   double residual = 1e-9;  // of the discrete divergence, in units of its norm at zero pressure
   double imbalance = 1e-6; // |inflow / outflow - 1|
   double momentum = 1e-8;  // norm of the momentum equation's residual over that of the load
