@@ -36,9 +36,10 @@ double volume_in_elements(const pfv::Packing& packing, const meshing::ElementSiz
   return packing.box.volume() * sum / points;
 }
 
-// All constants are fits to runs on one core with the reference BLAS: simple cubic, bcc and fcc lattices, touching (1,
-// 9 and 14 spheres) and loose, and nine touching spheres, at mesher sizes 2, 1.4, 1, 0.85, 0.7 and 0.5: 4e3 to 7e5
-// unknowns. Unknowns come out within 30 % for sizes up to 1, seconds and memory within a factor 2.
+// All constants are fits to runs on one core. Unknowns: simple cubic, bcc and fcc lattices, touching and loose, and
+// nine touching spheres at mesher sizes 2 to 0.5, within 30 % for sizes up to 1. Meshing: the same and 200 and 2000
+// random spheres. Assembling, solving and memory (a tenth is added to that): nine touching and 30 and 200 random
+// spheres at mesher sizes 0.85, 1.19 and 1.7, 3e5 to 2e6 unknowns.
 
 double unknowns_of(double elements, double mesh_size) {
   // The second term: close to surfaces meshes are never as coarse as asked for.
@@ -47,13 +48,14 @@ double unknowns_of(double elements, double mesh_size) {
 
 double seconds_of(double unknowns, double mesh_size, double spheres) {
   const double meshing = 0.15 * spheres + 1.2e-5 * unknowns;
-  const double at_unit_size = unknowns * mesh_size * mesh_size * mesh_size;
-  const double fill = std::min(2e-5, 6e-6 * std::pow(at_unit_size / 3e4, 0.4));
-  return meshing + unknowns * (5e-6 + fill / (mesh_size * mesh_size));
+  const double assembling = 7e-6 * unknowns;
+  // Finer meshes take more iterations, larger packings hardly any.
+  const double solving = unknowns * (6e-6 + 1.55e-5 / mesh_size);
+  return meshing + assembling + solving;
 }
 
 double bytes_of(double unknowns, double mesh_size) {
-  return 1.6e8 + unknowns * (600 + 400 / (mesh_size * mesh_size));
+  return 4e7 + unknowns * (540 + 170 / mesh_size);
 }
 
 } // namespace

@@ -52,6 +52,8 @@ void add_counts(const MeshFacts& mesh, const StokesSolution& solution, Answer& a
   answer.counts["factor_entries"] = solution.factor_entries;
   answer.counts["iterations"] = solution.iterations;
   answer.counts["residual"] = solution.residual;
+  answer.counts["momentum_residual"] = solution.momentum_residual;
+  answer.counts["velocity_iterations"] = solution.velocity_iterations;
   answer.counts["flux_imbalance"] = solution.imbalance;
 }
 
@@ -66,7 +68,7 @@ void add_ranks(const SharedSolve& shared, double memory, Answer& answer) {
 } // namespace
 
 Answer flow_on_mesh(const pfv::Case& problem, const std::filesystem::path& mesh, double bridge_radius,
-                    pfv::Clock& clock, const Probes& probes, const std::optional<SharedSolve>& shared) {
+                    pfv::Clock& clock, const Probes& probes, const Solve& solve) {
   const meshing::ImagedPacking imaged = meshing::with_images(problem.packing, periodic_axes(problem.faces));
   pfv::Case seen = problem;
   seen.packing = imaged.packing;
@@ -74,6 +76,7 @@ Answer flow_on_mesh(const pfv::Case& problem, const std::filesystem::path& mesh,
   Answer answer;
   // Before this process holds a mesh of its own, for which the ranks' memory may be needed.
   std::optional<FlowOnRanks> from_ranks;
+  const auto* shared = std::get_if<SharedSolve>(&solve);
   if (shared)
     from_ranks = solve_on_ranks(problem, mesh, bridge_radius, shared->ranks, shared->wall_limit, clock);
   std::shared_ptr<const Discretisation> space;
@@ -85,8 +88,9 @@ Answer flow_on_mesh(const pfv::Case& problem, const std::filesystem::path& mesh,
     boundary = make_boundary(*space, unit.driving);
     system = assemble(*space);
   }
-  StokesSolution solution = from_ranks ? std::move(from_ranks->solution)
-                                       : solve_stokes(system, boundary, unit.driving, SolverSettings{}, clock);
+  StokesSolution solution = from_ranks
+                                ? std::move(from_ranks->solution)
+                                : solve_stokes(system, boundary, unit.driving, std::get<SolverSettings>(solve), clock);
   {
     const auto timing = clock.stage("forces");
     set_level(unit, system, solution.flow.pressure);
@@ -102,9 +106,13 @@ Answer flow_on_mesh(const pfv::Case& problem, const std::filesystem::path& mesh,
   add_counts(facts(*space), solution, answer);
   answer.notes["library"] = element_library();
   answer.notes["element"] = "Taylor-Hood P2/P1 on curved tetrahedra";
-  answer.notes["solver"] = "CG on the Schur complement, CHOLMOD velocity solves, scaled BFBt preconditioner";
   if (from_ranks)
     add_ranks(*shared, from_ranks->peak_memory, answer);
+  else
+    answer.notes["solver"] =
+        std::string("CG on the Schur complement, scaled BFBt preconditioner, ") +
+        (std::holds_alternative<Direct>(std::get<SolverSettings>(solve).inner) ? "solves by CHOLMOD"
+                                                                               : "solves by CG with multigrid");
   return answer;
 }
 

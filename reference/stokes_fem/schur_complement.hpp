@@ -1,46 +1,32 @@
 #pragma once
 
-#include "reference/stokes_fem/cholesky.hpp"
-#include "reference/stokes_fem/velocity_component.hpp"
-
-#include <vector>
+#include "reference/stokes_fem/pressure_solver.hpp"
+#include "reference/stokes_fem/velocity_solver.hpp"
 
 namespace reference::stokes_fem {
 
-using Velocity = std::array<Eigen::VectorXd, 3>; // free unknowns, by component
-
-/// S = B A^-1 B^T, pressure to divergence, A^-1 by Cholesky factors of the three components' Laplacians. Keeps a
-/// reference to the components.
-class SchurComplement {
-public:
-  explicit SchurComplement(const VelocityComponents& components);
-
-  /// A^-1 (load of the pressure faces).
-  Velocity driven() const;
-  /// A^-1 B^T pressure.
-  Velocity response(const Eigen::VectorXd& pressure) const;
-  /// B velocity.
-  Eigen::VectorXd divergence(const Velocity& velocity) const;
-  double factor_entries() const;
-
-private:
-  const VelocityComponents& components_;
-  std::vector<Cholesky> factors_;
-};
+/// B velocity.
+Eigen::VectorXd divergence(const VelocityComponents& components, const Velocity& velocity);
+/// B^T pressure.
+Velocity gradient(const VelocityComponents& components, const Eigen::VectorXd& pressure);
 
 /// P^-1 = L^-1 (B D^-1 A D^-1 B^T) L^-1, L = B D^-1 B^T, D = diag A: least-squares commutator (scaled BFBt) of Elman,
-/// Howle, Shadid, Shuttleworth, Tuminaro 2006, SIAM J. Sci. Comput. 27, 1651. Keeps a reference to the components.
+/// Howle, Shadid, Shuttleworth, Tuminaro 2006, SIAM J. Sci. Comput. 27, 1651, for S = B A^-1 B^T. Keeps references.
 class CommutatorPreconditioner {
 public:
-  explicit CommutatorPreconditioner(const VelocityComponents& components);
+  using MakePressureSolver = std::unique_ptr<PressureSolver> (*)(const SparseRows& laplacian);
+
+  CommutatorPreconditioner(const VelocityComponents& components, const NodeLaplacian& laplacian,
+                           const MakePressureSolver& make);
 
   Eigen::VectorXd operator()(const Eigen::VectorXd& residual) const;
-  double factor_entries() const { return laplace_.entries(); }
+  double factor_entries() const { return laplace_->factor_entries(); }
 
 private:
   const VelocityComponents& components_;
-  std::array<Eigen::VectorXd, 3> inverse_diagonal_;
-  Cholesky laplace_;
+  const NodeLaplacian& laplacian_;
+  Velocity inverse_diagonal_;
+  std::unique_ptr<PressureSolver> laplace_;
 };
 
 } // namespace reference::stokes_fem

@@ -59,7 +59,9 @@ public:
 
   std::string version() const override { return stokes_fem::element_library() + ", " + meshing::mesher_version(); }
 
-  std::vector<std::string> built_from() const override { return {"pfv/problem", "meshing", "reference/stokes_fem"}; }
+  std::vector<std::string> built_from() const override {
+    return {"pfv/problem", "pfv/flow", "pfv/pores", "meshing", "reference/stokes_fem"};
+  }
 
   std::optional<std::string> unavailable() const override { return meshing::mesher_unavailable(); }
 
@@ -92,10 +94,10 @@ public:
     const meshing::VoidMesh mesh = meshing::void_mesh(problem, settings, meshing::default_mesh_cache());
     pfv::Clock own;
     own.add("mesh", mesh.cpu_seconds);
-    std::optional<stokes_fem::SharedSolve> shared;
+    stokes_fem::Solve how;
     if (request.ranks > 1)
-      shared = {request.ranks, 600 + 20 * estimate(problem, request).cpu_seconds};
-    Answer answer = stokes_fem::flow_on_mesh(problem, mesh.file, settings.bridge_radius, own, request.probes, shared);
+      how = stokes_fem::SharedSolve{request.ranks, 600 + 20 * estimate(problem, request).cpu_seconds};
+    Answer answer = stokes_fem::flow_on_mesh(problem, mesh.file, settings.bridge_radius, own, request.probes, how);
     add_pressure_on_discs(beyond_periodic_faces(problem), *answer.sphere_forces, *answer.wall_forces);
     give_normal_parts_to_slip_walls(problem, *answer.sphere_forces, *answer.wall_forces);
     for (const pfv::Stage& stage : own.stages())

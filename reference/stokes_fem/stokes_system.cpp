@@ -1,6 +1,7 @@
 #include "reference/stokes_fem/stokes_system.hpp"
 
 #include "reference/stokes_fem/cell_integrals.hpp"
+#include "reference/stokes_fem/edge_ends.hpp"
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
@@ -48,7 +49,8 @@ StokesSystem empty_system(const Discretisation& space) {
   return {zero_matrix<SparseMatrix>(lower, n, n),
           {divergence, divergence, divergence},
           Eigen::VectorXd::Zero(n),
-          Eigen::VectorXd::Zero(m)};
+          Eigen::VectorXd::Zero(m),
+          {}};
 }
 
 void add_cell(const CellIntegrals& cell, const Dofs& nodes, const Dofs& pressures, StokesSystem& system) {
@@ -79,6 +81,7 @@ StokesSystem assemble(const Discretisation& space) {
     pressure_nodes(space, cell, pressures);
     add_cell(integrate(cell), nodes, pressures, system);
   }
+  system.ends = edge_ends(space);
   return system;
 }
 

@@ -5,6 +5,7 @@
 #include <Eigen/SparseCore>
 
 #include <array>
+#include <vector>
 
 namespace reference::stokes_fem {
 
@@ -19,6 +20,8 @@ struct StokesSystem {
   std::array<SparseRows, 3> divergence; // M x N, integral of psi_k d phi_i / d x_c
   Eigen::VectorXd node_volume;          // N, integral of phi_i
   Eigen::VectorXd pressure_volume;      // M, integral of psi_k; its sum is the volume of the curved mesh
+  std::vector<std::array<int, 2>> ends; // N, the corners of the edge that a velocity node is the middle of; a corner
+                                        // is twice its own
 };
 
 /// The Laplacian form of the viscous term: with no-slip grains and flat slip and pressure planes it has the same

@@ -6,22 +6,6 @@ namespace reference::stokes_fem {
 
 namespace {
 
-SparseMatrix restrict_lower(const SparseMatrix& full, const VelocityComponent& component) {
-  SparseMatrix part(component.size, component.size);
-  part.reserve(full.nonZeros());
-  for (Eigen::Index column = 0; column < full.outerSize(); ++column) {
-    const int free_column = component.free_index[static_cast<std::size_t>(column)];
-    if (free_column < 0)
-      continue;
-    part.startVec(free_column);
-    for (SparseMatrix::InnerIterator it(full, column); it; ++it)
-      if (const int row = component.free_index[static_cast<std::size_t>(it.row())]; row >= 0)
-        part.insertBack(row, free_column) = it.value();
-  }
-  part.finalize();
-  return part;
-}
-
 SparseRows restrict_columns(const SparseRows& full, const VelocityComponent& component) {
   SparseRows part(full.rows(), component.size);
   part.reserve(full.nonZeros());
@@ -40,7 +24,6 @@ VelocityComponent free_component(const StokesSystem& system, const Boundary& bou
   VelocityComponent component;
   for (const int holder : boundary.holder[c])
     component.free_index.push_back(holder == Boundary::free ? static_cast<int>(component.size++) : -1);
-  component.laplacian = restrict_lower(system.laplacian, component);
   component.divergence = restrict_columns(system.divergence[c], component);
   component.load = Eigen::VectorXd::Zero(component.size);
   component.load -= imposed_gradient(faces)[static_cast<int>(c)] * component.gather(system.node_volume);

@@ -11,7 +11,6 @@ namespace reference::stokes_fem {
 struct VelocityComponent {
   std::vector<int> free_index; // by node, -1 when fixed
   Eigen::Index size = 0;       // free unknowns
-  SparseMatrix laplacian;      // lower triangle
   SparseRows divergence;
   Eigen::VectorXd load; // of the pressure faces and the mean gradient
 

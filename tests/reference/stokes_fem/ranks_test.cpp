@@ -39,10 +39,10 @@ protected:
     return meshing::void_mesh(problem, {.mesh_size = size}, meshing::default_mesh_cache()).file;
   }
 
-  static Answer answer(const pfv::Case& problem, double size, const std::optional<SharedSolve>& shared,
+  static Answer answer(const pfv::Case& problem, double size, const reference::stokes_fem::Solve& solve,
                        const reference::Probes& probes = {}) {
     pfv::Clock clock;
-    return reference::stokes_fem::flow_on_mesh(problem, mesh(problem, size), bridge_radius, clock, probes, shared);
+    return reference::stokes_fem::flow_on_mesh(problem, mesh(problem, size), bridge_radius, clock, probes, solve);
   }
 
   static inline const double bridge_radius = meshing::MeshSettings{}.bridge_radius;
@@ -81,7 +81,7 @@ TEST_F(Ranks, GiveTheFlowOfOneProcess) {
   const auto problem = nine_spheres();
   const reference::Probes probes{{{0.5, 0.02, 0.02}, {0.05, 0.5, 0.3}},
                                  {{{0, 0, 0.5}, {1, 0, 0.5}, {1, 1, 0.5}, {0, 1, 0.5}}}};
-  const auto alone = answer(problem, 2.5, std::nullopt, probes);
+  const auto alone = answer(problem, 2.5, reference::stokes_fem::SolverSettings{}, probes);
   for (const int ranks : {1, 2}) {
     const auto shared = answer(problem, 2.5, SharedSolve{ranks, wall_limit}, probes);
     SCOPED_TRACE(ranks);
