@@ -1,8 +1,8 @@
 #pragma once
 
 #include "pfv/flow/conductance_rules.hpp"
-#include "pfv/flow/flow_solver.hpp"
 #include "pfv/flow/wall_rules.hpp"
+#include "pfv/solvers/flow_solver.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "pfv/flow/conductance.hpp"
-#include "pfv/flow/flow_matrix.hpp"
 #include "pfv/pores/pore_network.hpp"
 #include "pfv/problem/case.hpp"
+#include "pfv/solvers/flow_matrix.hpp"
 
 #include <cstddef>
 #include <span>

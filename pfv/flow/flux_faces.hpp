@@ -1,7 +1,7 @@
 #pragma once
 
-#include "pfv/flow/flow_solver.hpp"
 #include "pfv/flow/flow_system.hpp"
+#include "pfv/solvers/flow_solver.hpp"
 
 namespace pfv {
 

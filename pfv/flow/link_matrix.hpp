@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pfv/flow/flow_matrix.hpp"
+#include "pfv/solvers/flow_matrix.hpp"
 
 #include <algorithm>
 

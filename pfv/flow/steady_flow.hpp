@@ -3,11 +3,11 @@
 #include "pfv/clock.hpp"
 #include "pfv/flow/conductance.hpp"
 #include "pfv/flow/flow_options.hpp"
-#include "pfv/flow/flow_solver.hpp"
 #include "pfv/flow/flow_system.hpp"
 #include "pfv/flow/fluid_forces.hpp"
 #include "pfv/pores/pore_network.hpp"
 #include "pfv/problem/case.hpp"
+#include "pfv/solvers/flow_solver.hpp"
 
 #include <memory>
 #include <optional>

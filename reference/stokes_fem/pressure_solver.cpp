@@ -1,6 +1,6 @@
 #include "reference/stokes_fem/pressure_solver.hpp"
 
-#include "pfv/flow/flow_solver.hpp"
+#include "pfv/solvers/flow_solver.hpp"
 #include "reference/stokes_fem/cholesky.hpp"
 
 namespace reference::stokes_fem {

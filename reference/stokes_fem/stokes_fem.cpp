@@ -60,7 +60,7 @@ public:
   std::string version() const override { return stokes_fem::element_library() + ", " + meshing::mesher_version(); }
 
   std::vector<std::string> built_from() const override {
-    return {"pfv/problem", "pfv/flow", "pfv/pores", "meshing", "reference/stokes_fem"};
+    return {"pfv/problem", "pfv/solvers", "meshing", "reference/stokes_fem"};
   }
 
   std::optional<std::string> unavailable() const override { return meshing::mesher_unavailable(); }

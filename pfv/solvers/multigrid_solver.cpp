@@ -1,9 +1,9 @@
-#include "pfv/flow/multigrid_solver.hpp"
+#include "pfv/solvers/multigrid_solver.hpp"
 
-#include "pfv/flow/coarse_matrix.hpp"
-#include "pfv/flow/conjugate_gradients.hpp"
-#include "pfv/flow/multigrid_level.hpp"
 #include "pfv/problem/error.hpp"
+#include "pfv/solvers/coarse_matrix.hpp"
+#include "pfv/solvers/conjugate_gradients.hpp"
+#include "pfv/solvers/multigrid_level.hpp"
 
 #include <Eigen/Cholesky>
 #include <fmt/format.h>

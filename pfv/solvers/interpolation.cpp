@@ -1,4 +1,4 @@
-#include "pfv/flow/interpolation.hpp"
+#include "pfv/solvers/interpolation.hpp"
 
 #include <cstddef>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pfv/flow/preconditioner.hpp"
+#include "pfv/solvers/preconditioner.hpp"
 
 #include <memory>
 #include <string>

@@ -1,11 +1,11 @@
-#include "pfv/flow/flow_solver.hpp"
+#include "pfv/solvers/flow_solver.hpp"
 
-#include "pfv/flow/amg_solver.hpp"
-#include "pfv/flow/auto_solver.hpp"
-#include "pfv/flow/cholmod_solver.hpp"
-#include "pfv/flow/gauss_seidel.hpp"
-#include "pfv/flow/multigrid_solver.hpp"
 #include "pfv/problem/error.hpp"
+#include "pfv/solvers/amg_solver.hpp"
+#include "pfv/solvers/auto_solver.hpp"
+#include "pfv/solvers/cholmod_solver.hpp"
+#include "pfv/solvers/gauss_seidel.hpp"
+#include "pfv/solvers/multigrid_solver.hpp"
 
 #include <fmt/format.h>
 

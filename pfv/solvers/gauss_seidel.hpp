@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pfv/flow/flow_solver.hpp"
+#include "pfv/solvers/flow_solver.hpp"
 
 namespace pfv {
 

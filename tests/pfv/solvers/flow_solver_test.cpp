@@ -1,4 +1,4 @@
-#include "pfv/flow/flow_solver.hpp"
+#include "pfv/solvers/flow_solver.hpp"
 
 #include "pfv/problem/error.hpp"
 #include "support/message_of.hpp"

@@ -1,7 +1,7 @@
-#include "pfv/flow/cholmod_solver.hpp"
+#include "pfv/solvers/cholmod_solver.hpp"
 
-#include "pfv/flow/conjugate_gradients.hpp"
 #include "pfv/problem/error.hpp"
+#include "pfv/solvers/conjugate_gradients.hpp"
 
 #include <Eigen/CholmodSupport>
 

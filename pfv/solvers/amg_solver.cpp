@@ -1,7 +1,7 @@
-#include "pfv/flow/amg_solver.hpp"
+#include "pfv/solvers/amg_solver.hpp"
 
-#include "pfv/flow/conjugate_gradients.hpp"
 #include "pfv/problem/error.hpp"
+#include "pfv/solvers/conjugate_gradients.hpp"
 
 #include <HYPRE.h>
 #include <HYPRE_IJ_mv.h>

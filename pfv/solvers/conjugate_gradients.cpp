@@ -1,4 +1,4 @@
-#include "pfv/flow/conjugate_gradients.hpp"
+#include "pfv/solvers/conjugate_gradients.hpp"
 
 #include "pfv/problem/error.hpp"
 

@@ -1,4 +1,4 @@
-#include "pfv/flow/auto_solver.hpp"
+#include "pfv/solvers/auto_solver.hpp"
 
 #include "pfv/problem/error.hpp"
 

@@ -1,4 +1,4 @@
-#include "pfv/flow/coarse_matrix.hpp"
+#include "pfv/solvers/coarse_matrix.hpp"
 
 #include <cstddef>
 #include <numeric>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pfv/flow/sparse_rows.hpp"
+#include "pfv/solvers/sparse_rows.hpp"
 
 #include <array>
 #include <vector>

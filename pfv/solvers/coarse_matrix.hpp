@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pfv/flow/interpolation.hpp"
+#include "pfv/solvers/interpolation.hpp"
 
 namespace pfv {
 

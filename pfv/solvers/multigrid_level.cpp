@@ -1,4 +1,4 @@
-#include "pfv/flow/multigrid_level.hpp"
+#include "pfv/solvers/multigrid_level.hpp"
 
 #include <algorithm>
 

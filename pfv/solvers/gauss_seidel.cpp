@@ -1,4 +1,4 @@
-#include "pfv/flow/gauss_seidel.hpp"
+#include "pfv/solvers/gauss_seidel.hpp"
 
 #include "pfv/problem/error.hpp"
 
