@@ -26,7 +26,7 @@ protected:
     const double bridge_radius = meshing::MeshSettings{}.bridge_radius;
     const auto answer = [&](const InnerSolves& inner) {
       pfv::Clock clock;
-      return flow_on_mesh(problem, mesh.file, bridge_radius, clock, {}, {.inner = inner});
+      return flow_on_mesh(problem, mesh.file, bridge_radius, clock, {}, SolverSettings{.inner = inner});
     };
     const reference::Answer exact = answer(Direct{}), iterated = answer(Multigrid{});
     EXPECT_NEAR(*iterated.permeability / *exact.permeability, 1, 1e-6);
