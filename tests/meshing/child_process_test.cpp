@@ -100,10 +100,8 @@ TEST_F(ChildProcess, EndsWhatTheProgramLeavesBehind) {
 
 TEST_F(ChildProcess, CountsTheCpuSecondsOfGrandchildrenToo) {
   const std::string burn = "i=0; while [ $i -lt 100000 ]; do i=$((i+1)); done";
-  const auto one = shell(burn);
-  const auto two = shell(burn + "; sh -c '" + burn + "'");
-  EXPECT_GT(one.cpu_seconds, 0.01);
-  EXPECT_GT(two.cpu_seconds, 1.4 * one.cpu_seconds);
+  EXPECT_GT(shell(burn).cpu_seconds, 0.01);
+  EXPECT_GT(shell("sh -c '" + burn + "'; true").cpu_seconds, 0.01); // all of it the grandchild's
   EXPECT_LT(shell("sleep 0.5").cpu_seconds, 0.2);
 }
 
