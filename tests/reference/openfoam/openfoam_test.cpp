@@ -118,7 +118,7 @@ TEST_F(OpenFoam, TwoMeshesGiveTheTouchingSimpleCubicLattice) {
   const double coarse = *answer(problem, 1).permeability / exact - 1;
   const double fine = *answer(problem, 0.7).permeability / exact - 1;
   EXPECT_LT(std::abs(fine), 0.04);
-  EXPECT_LT(std::abs(fine), 0.7 * std::abs(coarse));
+  EXPECT_LT(std::abs(fine), 0.56 * std::abs(coarse)); // measured 0.54, of order 1.7
   const double extrapolated = fine + (fine - coarse) / (std::pow(1 / 0.7, *method_->convergence_order()) - 1);
   EXPECT_LT(std::abs(extrapolated), 0.02);
 }
@@ -133,10 +133,12 @@ TEST_F(OpenFoam, RanksAgree) {
   EXPECT_NEAR(*two.permeability / *answer(problem, 5).permeability, 1, 1e-6);
 }
 
-// A plane across the flow carries all of it, and pressure falls along it; nothing is known inside a sphere.
+// A plane across the flow carries all of it, and pressure falls along it; nothing is known inside a sphere. Fluxes of
+// velocities that are linear in each cell are too large, as those through OpenFOAM's faces are averages of a concave
+// profile: by 5.9, 3.2, 2.6 and 1.8 % through the lower plane at sizes 2, 1.4, 1 and 0.7.
 TEST_F(OpenFoam, SamplesPressuresAndFluxes) {
   const auto problem = touching(Lattice::bcc);
-  Request request{.mesh_size = 2};
+  Request request{.mesh_size = 1};
   for (const double z : {0.25, 0.5})
     request.probes.facets.push_back({{0, 0, z}, {1, 0, z}, {1, 1, z}, {0, 1, z}});
   request.probes.points = {{0.5, 0, 0.02}, {0.5, 0, 0.5}, {0.5, 0, 0.98}, {0.5, 0.5, 0.5}};
@@ -144,7 +146,7 @@ TEST_F(OpenFoam, SamplesPressuresAndFluxes) {
   const auto found = method_->solve(problem, request, clock);
   ASSERT_TRUE(found.facet_fluxes && found.point_pressures);
   for (const double flux : *found.facet_fluxes)
-    EXPECT_NEAR(flux / found.face_flux[5], 1, 0.08); // the reconstruction's error on this mesh is 6 %
+    EXPECT_NEAR(flux / found.face_flux[5], 1, 0.03);
   const auto& pressures = *found.point_pressures;
   EXPECT_NEAR(pressures[0], 0, 0.1);
   EXPECT_NEAR(pressures[1], 0.5, 0.02); // by symmetry, which the mesh does not have
