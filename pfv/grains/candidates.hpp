@@ -1,0 +1,37 @@
+#pragma once
+
+#include "pfv/grains/grains.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace pfv {
+
+/// What a contact remembers.
+enum class Bond : std::uint8_t { none, touching, cemented };
+
+/// Pairs of grains that may touch before some grain or wall has moved by half of `margin`, by the first of the two:
+/// those of grain i are start[i] ... start[i + 1] - 1, in ascending order of the other.
+struct CandidatePairs {
+  std::vector<int> start;
+  std::vector<int> other;
+  std::vector<Vec3> shear; // N, of the tangential spring, on the first
+  std::vector<Bond> bond;
+};
+
+/// Grains that may touch a wall, by wall.
+struct CandidateWalls {
+  struct Contact {
+    int grain;
+    Vec3 shear; // N, on the grain
+    Bond bond;
+  };
+  std::array<std::vector<Contact>, 6> of_face;
+};
+
+/// Linear in the number of grains: a grid of cells for each class of sizes, a class twice as coarse as the next, so
+/// that few large grains do not make all cells large. What touches keeps its springs.
+CandidatePairs candidate_pairs(const Grains& grains, double margin, const CandidatePairs& before = {});
+CandidateWalls candidate_walls(const Grains& grains, double margin, const CandidateWalls& before = {});
+
+} // namespace pfv

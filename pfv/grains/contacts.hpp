@@ -1,0 +1,53 @@
+#pragma once
+
+#include "pfv/grains/candidates.hpp"
+#include "pfv/grains/contact_law.hpp"
+#include "pfv/grains/walls.hpp"
+
+#include <array>
+#include <optional>
+
+namespace pfv {
+
+/// Where the energy of the contacts went in a step (J), and the bonds that broke.
+struct ContactLosses {
+  double friction = 0;
+  double damping = 0;
+  int broken_bonds = 0;
+};
+
+/// The contacts of grains with one another and with the walls, and what their springs remember.
+class Contacts {
+public:
+  Contacts(const ContactLaw& law, double wall_friction, const std::optional<Cohesion>& cohesion, const Grains& grains);
+
+  /// Adds the contact forces where the grains are now to their loads, and to `on_wall` those on the walls (N, along the
+  /// axis). The springs are stretched by what has happened since the last call, `step` seconds long. Candidates are
+  /// renewed when grains or walls may have moved by half of the margin.
+  ContactLosses add_forces(const Grains& grains, double step, std::vector<Load>& loads, std::array<double, 6>& on_wall);
+
+  /// What they remember from step to step: with it a run goes on bit for bit.
+  struct Memory {
+    CandidatePairs pairs;
+    CandidateWalls at_walls;
+    std::vector<Vec3> reference;             // m, where grains were when the candidates were found
+    std::array<double, 6> reference_walls{}; // m
+    double drift = 0;                        // m, no grain or wall has moved farther since
+  };
+  const Memory& memory() const { return memory_; }
+  void restore(Memory memory) { memory_ = std::move(memory); }
+
+  const ContactLaw& law() const { return law_; }
+
+private:
+  void renew_if_moved(const Grains& grains, double step);
+  void renew(const Grains& grains);
+
+  ContactLaw law_;
+  double wall_friction_;
+  std::optional<Cohesion> cohesion_;
+  double margin_; // m
+  Memory memory_;
+};
+
+} // namespace pfv

@@ -1,0 +1,64 @@
+#include "pfv/simulation/grain_cycle.hpp"
+
+#include "pfv/grains/contact_list.hpp"
+#include "pfv/problem/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace pfv {
+
+GrainCycle::GrainCycle(const Packing& packing, const GrainScene& of_scene)
+    : grains(grains_of(packing, of_scene.density)),
+      contacts(of_scene.law, of_scene.walls.friction, of_scene.cohesion, grains), scene(of_scene),
+      loads(grains.size()) {
+  for (const Face face : all_faces)
+    if (const auto* moving = std::get_if<MovingWall>(&scene.walls.motion[index(face)]))
+      grains.wall_velocity[index(face)] = moving->velocity;
+}
+
+void GrainCycle::begin_step(double step, Clock& clock) {
+  const auto timing = clock.stage("contacts");
+  for (std::size_t i = 0; i < loads.size(); ++i)
+    loads[i] = {grains.mass[i] * scene.gravity, Vec3::Zero()};
+  on_wall.fill(0);
+  const ContactLosses losses = contacts.add_forces(grains, step, loads, on_wall);
+  energy.friction += losses.friction;
+  energy.contact_damping += losses.damping;
+  broken_bonds += losses.broken_bonds;
+}
+
+void GrainCycle::end_step(double step, Clock& clock) {
+  const auto timing = clock.stage("motion");
+  const Kick done = kick(grains, scene.walls, loads, on_wall, scene.damping, step);
+  energy.local_damping += done.damped;
+  energy.loads += done.load_work;
+  for (const Face face : all_faces)
+    if (std::holds_alternative<MovingWall>(scene.walls.motion[index(face)]))
+      energy.loads -= on_wall[index(face)] * grains.wall_velocity[index(face)] * step;
+  drift(grains, step);
+  time += step;
+  double work = 0;
+  if (!scene.gravity.isZero(0))
+    for (std::size_t i = 0; i < grains.size(); ++i)
+      work += grains.mass[i] * scene.gravity.dot(grains.velocity[i].translation) * step;
+  energy.gravity += work;
+}
+
+double GrainCycle::contact_limit() const {
+  return 2 / std::sqrt(largest_square_frequency(grains, contacts));
+}
+
+double GrainCycle::unbalanced_force() const {
+  const auto list = contact_list(grains, contacts);
+  double sum = 0;
+  for (const Contact& contact : list) {
+    const Springs springs =
+        std::visit([&](const auto& law) { return law.springs(contact.radius, contact.overlap); }, contacts.law());
+    sum += std::hypot(springs.force, contact.shear.norm());
+  }
+  return pfv::unbalanced_force(grains, loads, list.empty() ? 0 : sum / static_cast<double>(list.size()));
+}
+
+} // namespace pfv
