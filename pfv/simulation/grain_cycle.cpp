@@ -13,37 +13,54 @@ GrainCycle::GrainCycle(const Packing& packing, const GrainScene& of_scene)
     : grains(grains_of(packing, of_scene.density)),
       contacts(of_scene.law, of_scene.walls.friction, of_scene.cohesion, grains), scene(of_scene),
       loads(grains.size()) {
+  if (scene.gravity || scene.buoyancy)
+    for (std::size_t i = 0; i < grains.size(); ++i) {
+      Vec3 force = Vec3::Zero();
+      if (scene.gravity)
+        force += grains.mass[i] * scene.gravity->acceleration;
+      if (scene.buoyancy)
+        force -= scene.buoyancy->fluid_density * volume(grains.sphere(i)) * scene.buoyancy->gravity;
+      weight.push_back(force);
+    }
   for (const Face face : all_faces)
     if (const auto* moving = std::get_if<MovingWall>(&scene.walls.motion[index(face)]))
       grains.wall_velocity[index(face)] = moving->velocity;
 }
 
-void GrainCycle::begin_step(double step, Clock& clock) {
+void GrainCycle::load(double step, Clock& clock) {
   const auto timing = clock.stage("contacts");
-  for (std::size_t i = 0; i < loads.size(); ++i)
-    loads[i] = {grains.mass[i] * scene.gravity, Vec3::Zero()};
+  loads.assign(grains.size(), {});
   on_wall.fill(0);
   const ContactLosses losses = contacts.add_forces(grains, step, loads, on_wall);
   energy.friction += losses.friction;
   energy.contact_damping += losses.damping;
   broken_bonds += losses.broken_bonds;
+  for (std::size_t i = 0; i < weight.size(); ++i)
+    loads[i].force += weight[i];
 }
 
-void GrainCycle::end_step(double step, Clock& clock) {
+void GrainCycle::kick(double step, Clock& clock) {
   const auto timing = clock.stage("motion");
-  const Kick done = kick(grains, scene.walls, loads, on_wall, scene.damping, step);
+  const Kick done = pfv::kick(grains, scene.walls, loads, on_wall, scene.damping, step);
   energy.local_damping += done.damped;
   energy.loads += done.load_work;
+}
+
+void GrainCycle::drift(double step, Clock& clock) {
+  const auto timing = clock.stage("motion");
   for (const Face face : all_faces)
     if (std::holds_alternative<MovingWall>(scene.walls.motion[index(face)]))
       energy.loads -= on_wall[index(face)] * grains.wall_velocity[index(face)] * step;
-  drift(grains, step);
+  pfv::drift(grains, step);
   time += step;
-  double work = 0;
-  if (!scene.gravity.isZero(0))
-    for (std::size_t i = 0; i < grains.size(); ++i)
-      work += grains.mass[i] * scene.gravity.dot(grains.velocity[i].translation) * step;
-  energy.gravity += work;
+  for (std::size_t i = 0; i < weight.size(); ++i)
+    energy.gravity += weight[i].dot(grains.velocity[i].translation) * step;
+}
+
+void GrainCycle::advance(double step, Clock& clock) {
+  load(step, clock);
+  kick(step, clock);
+  drift(step, clock);
 }
 
 double GrainCycle::contact_limit() const {

@@ -3,10 +3,17 @@
 #include "pfv/clock.hpp"
 #include "pfv/grains/contacts.hpp"
 #include "pfv/grains/motion.hpp"
+#include "pfv/problem/case.hpp"
 
-#include <functional>
+#include <optional>
 
 namespace pfv {
+
+struct Gravity {
+  Vec3 acceleration; // m/s^2
+
+  bool operator==(const Gravity&) const = default;
+};
 
 /// What the grains are and what they do to one another.
 struct GrainScene {
@@ -15,7 +22,8 @@ struct GrainScene {
   Walls walls;
   LocalDamping damping;
   std::optional<Cohesion> cohesion;
-  Vec3 gravity = Vec3::Zero(); // m/s^2
+  std::optional<Gravity> gravity;
+  std::optional<Buoyancy> buoyancy;
 
   bool operator==(const GrainScene&) const = default;
 };
@@ -24,7 +32,7 @@ struct GrainScene {
 /// losses.
 struct EnergyBalance {
   double loads = 0;    // work of the stresses on loaded walls and of walls that move at a velocity
-  double gravity = 0;  // work of the weight
+  double gravity = 0;  // work of the weight, less that of the displaced fluid
   double friction = 0; // lost in contacts that slip
   double contact_damping = 0;
   double local_damping = 0;
@@ -35,23 +43,27 @@ struct EnergyBalance {
 
 /// Grains, contacts and motion of a scene, advanced by leapfrog: stages `contacts` and `motion`, no others.
 ///
-/// A step is begin_step (loads of contacts and gravity where grains are now), whatever else adds to `loads` and
-/// `on_wall`, then end_step.
+/// A step is load (contacts and weight where grains are now), kick (velocities by these loads), whatever else changes
+/// velocities, and drift (positions).
 class GrainCycle {
 public:
   GrainCycle(const Packing& packing, const GrainScene& scene);
 
-  void begin_step(double step, Clock& clock);
-  void end_step(double step, Clock& clock);
+  void load(double step, Clock& clock);
+  void kick(double step, Clock& clock);
+  void drift(double step, Clock& clock);
+  /// All three: a step of grains alone.
+  void advance(double step, Clock& clock);
 
   /// Longest stable step (s) of the contacts alone: 2 / frequency.
   double contact_limit() const;
-  /// Mean resultant force on a grain over the mean contact force, of the last begin_step.
+  /// Mean resultant force on a grain over the mean contact force, of the last load.
   double unbalanced_force() const;
 
   Grains grains;
   Contacts contacts;
   GrainScene scene;
+  std::vector<Vec3> weight; // N, with buoyancy; empty without either
   std::vector<Load> loads;
   std::array<double, 6> on_wall{}; // N, along the axis
   EnergyBalance energy;

@@ -128,4 +128,8 @@ std::unique_ptr<FlowSolver> make_multigrid(const Multigrid& parameters) {
   return make_conjugate_gradients("multigrid", std::make_unique<VCycle>(), parameters.tolerance);
 }
 
+std::unique_ptr<Preconditioner> make_v_cycle() {
+  return std::make_unique<VCycle>();
+}
+
 } // namespace pfv

@@ -28,8 +28,7 @@ Packing two_grains(double gap) {
 void run(GrainCycle& cycle, double step, int steps) {
   Clock clock;
   for (int n = 0; n < steps; ++n) {
-    cycle.begin_step(step, clock);
-    cycle.end_step(step, clock);
+    cycle.advance(step, clock);
   }
 }
 
@@ -57,8 +56,7 @@ double worst_error_of_collision(int steps_per_period) {
   for (double time = 0.5 * step; time < 0.9 * std::numbers::pi / frequency; time += step) {
     const double exact = velocity / frequency * std::sin(frequency * time);
     worst = std::max(worst, std::abs(-gap(cycle) - exact) * frequency / velocity);
-    cycle.begin_step(step, clock);
-    cycle.end_step(step, clock);
+    cycle.advance(step, clock);
   }
   return worst;
 }
@@ -113,7 +111,7 @@ TEST(Contact, ConservesMomentumAndAngularMomentum) {
 GrainCycle grain_on_floor(double wall_friction, double push) {
   GrainScene scene = springs();
   scene.walls.friction = wall_friction;
-  scene.gravity = Vec3(push, 0, -10);
+  scene.gravity = Gravity{Vec3(push, 0, -10)};
   const double mass = density * 4 * std::numbers::pi / 3 * radius * radius * radius;
   const double sunk = 10 * mass / stiffness;
   return {Packing{{Vec3(-10, -10, 0), Vec3::Constant(10)}, {{Vec3(0, 0, radius - sunk), radius}}}, scene};
@@ -146,7 +144,7 @@ TEST(Contact, BondBreaksAtItsTensileStrength) {
     for (Sphere& sphere : cycle.grains.packing.spheres)
       sphere.centre.x() += std::copysign(0.5 * share * most, sphere.centre.x());
     Clock clock;
-    cycle.begin_step(1e-9, clock);
+    cycle.load(1e-9, clock);
     EXPECT_EQ(cycle.broken_bonds, share > 1 ? 1u : 0u);
     EXPECT_NEAR(cycle.loads[0].force.norm(), share > 1 ? 0 : share * strength * section, 1e-9);
   }
@@ -163,7 +161,7 @@ TEST(Contact, BondBreaksAtItsShearStrengthAndRubsFromThenOn) {
     const std::size_t right = cycle.grains.sphere(0).centre.x() > 0 ? 0 : 1;
     cycle.grains.velocity[right].translation.y() = slid; // in one step of a second, without moving
     Clock clock;
-    cycle.begin_step(1, clock);
+    cycle.load(1, clock);
     EXPECT_EQ(cycle.broken_bonds, share > 1 ? 1u : 0u);
     EXPECT_NEAR(std::abs(cycle.loads[0].force.y()), share > 1 ? coulomb : share * (strength * section + coulomb), 1e-9);
   }
@@ -175,7 +173,7 @@ TEST(Contact, HertzMindlinTakesTheTextbookForce) {
   const double overlap = 1e-4;
   GrainCycle cycle(two_grains(-overlap), scene);
   Clock clock;
-  cycle.begin_step(1e-9, clock);
+  cycle.load(1e-9, clock);
   const double effective = 1e9 / (2 * (1 - 0.25 * 0.25));
   EXPECT_NEAR(cycle.loads[0].force.norm(), 4.0 / 3 * effective * std::sqrt(radius / 2) * std::pow(overlap, 1.5), 1e-9);
 }

@@ -12,8 +12,7 @@ namespace {
 void run(GrainCycle& cycle, double step, int steps) {
   Clock clock;
   for (int n = 0; n < steps; ++n) {
-    cycle.begin_step(step, clock);
-    cycle.end_step(step, clock);
+    cycle.advance(step, clock);
   }
 }
 
@@ -50,7 +49,7 @@ TEST(Energy, OfLoadsAndWeightIsKineticElasticOrLost) {
   GrainScene scene;
   scene.law = LinearSprings{1e6, 0.5, {0.4, 0.05}};
   scene.damping = {0.1};
-  scene.gravity = Vec3(0, 0, -9.81);
+  scene.gravity = Gravity{Vec3(0, 0, -9.81)};
   scene.walls.motion[index(Face::z_max)] = LoadedWall{2000, 500};
   scene.walls.motion[index(Face::x_min)] = MovingWall{0.01};
   scene.walls.friction = 0.2;

@@ -1,0 +1,270 @@
+#include "pfv/simulation/pore_fluid.hpp"
+
+#include "pfv/problem/error.hpp"
+#include "pfv/problem/validate.hpp"
+#include "pfv/simulation/carry_over.hpp"
+#include "pfv/solvers/multigrid_solver.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace pfv {
+namespace {
+
+double moved(const std::vector<Vec3>& from, const Packing& packing) {
+  double square = 0;
+  for (std::size_t k = 0; k < from.size(); ++k)
+    square = std::max(square, (packing.spheres[k].centre - from[k]).squaredNorm());
+  return std::sqrt(square);
+}
+
+std::vector<Vec3> centres(const Packing& packing) {
+  std::vector<Vec3> all;
+  for (const Sphere& sphere : packing.spheres)
+    all.push_back(sphere.centre);
+  return all;
+}
+
+} // namespace
+
+PoreFluid::PoreFluid(const FluidScene& scene, const Packing& packing, Clock& clock)
+    : scene_(scene), preconditioner_(make_v_cycle()) {
+  validate_level(scene.faces, scene.pressure_points);
+  for (const auto& condition : scene.faces)
+    if (std::holds_alternative<Periodic>(condition) || std::holds_alternative<Flux>(condition))
+      throw InputError("a face of a box whose grains move must be slip or at a pressure");
+  for (const Sphere& sphere : packing.spheres)
+    mean_radius_ += sphere.radius / static_cast<double>(packing.spheres.size());
+  build(packing, clock);
+  solution_.setZero(static_cast<Eigen::Index>(system_.unknowns()));
+  solve(system_.right_side, {}, 0, scene_.tolerance, solution_);
+  before_ = solution_;
+  to_pores(solution_);
+}
+
+PoreFluid::~PoreFluid() = default;
+
+void PoreFluid::build(const Packing& packing, Clock& clock) {
+  network_ = build_pore_network(packing, {}, clock);
+  {
+    const auto timing = clock.stage("conductances");
+    throats_ = conductances(network_, scene_.options.conductance, scene_.options.walls, scene_.fluid.viscosity);
+  }
+  assemble_and_factor(clock);
+  triangulated_at_ = refreshed_at_ = centres(packing);
+  refreshed_box_ = packing.box;
+}
+
+void PoreFluid::assemble_and_factor(Clock& clock) {
+  const auto timing = clock.stage("assemble");
+  system_ = assemble(network_, throats_, scene_.faces, scene_.pressure_points);
+  flux_ = solid_flux(network_, scene_.options.walls);
+  factor();
+}
+
+/// The fluid's storage waits for the length of a step.
+void PoreFluid::factor() {
+  stored_step_ = 0;
+  preconditioner_->analyse(system_.matrix);
+  preconditioner_->factor(system_.matrix);
+}
+
+void PoreFluid::set_storage(double step) {
+  if (!scene_.compressible || stored_step_ == step)
+    return;
+  std::vector<double> storage(network_.pores.size());
+  for (std::size_t i = 0; i < storage.size(); ++i)
+    storage[i] = std::max(0.0, network_.pores.void_volume[i]) / scene_.compressible->bulk_modulus;
+  stored_ = system_.matrix;
+  stored_.diagonal() += to_unknowns(storage) / step;
+  stored_step_ = step;
+  preconditioner_->factor(stored_);
+}
+
+void PoreFluid::follow(const Packing& packing, Clock& clock) {
+  double drift = moved(refreshed_at_, packing);
+  drift = std::max(drift, (packing.box.lower - refreshed_box_.lower).cwiseAbs().maxCoeff());
+  drift = std::max(drift, (packing.box.upper - refreshed_box_.upper).cwiseAbs().maxCoeff());
+  if (drift <= scene_.refresh_drift * mean_radius_)
+    return;
+  bool anew = moved(triangulated_at_, packing) > scene_.rebuild_drift * mean_radius_;
+  if (!anew) {
+    pfv::follow(network_, packing, clock);
+    anew = network_.inverted_throats > 0;
+  }
+  if (anew) {
+    const auto bodies = flux_.body;
+    const auto pressure = pressure_;
+    build(packing, clock);
+    pressure_ = carried_over(bodies, pressure, flux_.body, flux_.bodies);
+    std::vector<double> above = pressure_;
+    for (std::size_t i = 0; i < above.size(); ++i)
+      above[i] -= system_.level;
+    solution_.setZero(static_cast<Eigen::Index>(system_.unknowns()));
+    for (std::size_t i = 0; i < above.size(); ++i)
+      if (system_.unknown_of_pore[i] >= 0)
+        solution_[system_.unknown_of_pore[i]] = above[i];
+    before_ = solution_;
+    mode_.resize(0);
+    ++rebuilt;
+    return;
+  }
+  {
+    const auto timing = clock.stage("conductances");
+    update(throats_, network_, scene_.options.conductance, scene_.options.walls, scene_.fluid.viscosity);
+  }
+  const auto timing = clock.stage("assemble");
+  const std::size_t unknowns = system_.unknowns();
+  if (!refresh(system_, network_, throats_))
+    system_ = assemble(network_, throats_, scene_.faces, scene_.pressure_points);
+  flux_ = solid_flux(network_, scene_.options.walls);
+  factor();
+  if (system_.unknowns() != unknowns) {
+    solution_.setZero(static_cast<Eigen::Index>(system_.unknowns()));
+    before_ = solution_;
+    mode_.resize(0);
+  }
+  refreshed_at_ = centres(packing);
+  refreshed_box_ = packing.box;
+  ++refreshed;
+}
+
+Eigen::VectorXd PoreFluid::to_unknowns(const std::vector<double>& of_pores) const {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(system_.unknowns()));
+  for (std::size_t i = 0; i < of_pores.size(); ++i)
+    if (const int unknown = system_.unknown_of_pore[i]; unknown >= 0)
+      sum[unknown] += of_pores[i];
+  return sum;
+}
+
+/// Pressures of all pores: known ones, and those of the unknowns above the level.
+void PoreFluid::to_pores(const Eigen::VectorXd& x) {
+  set_pore_pressures(system_, x, pressure_);
+}
+
+Eigen::VectorXd PoreFluid::product(const Eigen::VectorXd& x, std::span<const double> per_mass, double step) {
+  const FlowMatrix& matrix = stored_step_ > 0 ? stored_ : system_.matrix;
+  if (per_mass.empty())
+    return matrix * x;
+  of_pores_.resize(flux_.pores());
+  for (std::size_t i = 0; i < of_pores_.size(); ++i) {
+    const int unknown = system_.unknown_of_pore[i];
+    of_pores_[i] = unknown >= 0 ? x[unknown] : 0;
+  }
+  pressure_forces(flux_, of_pores_, scratch_force_);
+  for (std::size_t k = 0; k < scratch_force_.size(); ++k)
+    scratch_force_[k] *= step * per_mass[k];
+  volume_rates(flux_, scratch_force_, rate_);
+  return matrix * x + to_unknowns(rate_);
+}
+
+void PoreFluid::solve(const Eigen::VectorXd& right_side, std::span<const double> per_mass, double step,
+                      double tolerance, Eigen::VectorXd& x) {
+  constexpr int most_steps = 2000;
+  ++solves;
+  if (right_side.size() == 0)
+    return;
+  if (right_side.isZero(0)) {
+    x.setZero();
+    return;
+  }
+  Eigen::VectorXd residual = right_side - product(x, per_mass, step);
+  Eigen::VectorXd direction = Eigen::VectorXd::Zero(x.size()), correction(x.size());
+  double before = 1;
+  for (int n = 0; n < most_steps; ++n) {
+    const double power = preconditioner_->apply(residual, correction);
+    if (!std::isfinite(power))
+      throw SolveError("the pressure of the pores is not finite");
+    if (power <= tolerance * tolerance * std::abs(x.dot(right_side)))
+      return;
+    direction = correction + power / before * direction;
+    before = power;
+    const Eigen::VectorXd image = product(direction, per_mass, step);
+    const double length = power / direction.dot(image);
+    x += length * direction;
+    residual -= length * image;
+    ++iterations;
+  }
+  throw SolveError(
+      fmt::format("the pressures of the pores did not settle to {:.0e} in {} steps", tolerance, most_steps));
+}
+
+const std::vector<Vec3>& PoreFluid::forces(std::span<const Vec3> velocity, std::span<const double> per_mass,
+                                           double step, Clock& clock) {
+  set_storage(step);
+  Eigen::VectorXd right_side;
+  {
+    const auto timing = clock.stage("volume rates");
+    // What is known pushes already: imposed pressures, and the level that unknown ones count from.
+    std::vector<double> known(network_.pores.size(), system_.level);
+    for (std::size_t i = 0; i < known.size(); ++i)
+      if (const auto* pore = system_.known(i))
+        known[i] = pore->pressure;
+    pressure_forces(flux_, known, force_);
+    std::vector<Vec3> moving(velocity.begin(), velocity.end());
+    if (!per_mass.empty())
+      for (std::size_t k = 0; k < moving.size(); ++k)
+        moving[k] += step * per_mass[k] * force_[k];
+    volume_rates(flux_, moving, rate_);
+    right_side = system_.right_side - to_unknowns(rate_);
+    if (scene_.compressible) {
+      std::vector<double> kept(network_.pores.size());
+      for (std::size_t i = 0; i < kept.size(); ++i)
+        kept[i] = std::max(0.0, network_.pores.void_volume[i]) / scene_.compressible->bulk_modulus / step *
+                  (pressure_[i] - system_.level);
+      right_side += to_unknowns(kept);
+    }
+  }
+  {
+    const auto timing = clock.stage("solve");
+    Eigen::VectorXd guess = 2 * solution_ - before_;
+    before_ = solution_;
+    solve(right_side, per_mass, step, scene_.tolerance, guess);
+    solution_ = std::move(guess);
+  }
+  const auto timing = clock.stage("forces");
+  to_pores(solution_);
+  pressure_forces(flux_, pressure_, force_);
+  return force_;
+}
+
+double PoreFluid::largest_rate(std::span<const double> per_mass, Clock& clock) {
+  const auto timing = clock.stage("stable step");
+  constexpr int most_steps = 100;
+  constexpr double settled = 1e-3, tolerance = 1e-4;
+  const auto size = static_cast<Eigen::Index>(system_.unknowns());
+  stored_step_ = 0;
+  preconditioner_->factor(system_.matrix);
+  if (mode_.size() != size) {
+    mode_.resize(size);
+    for (Eigen::Index i = 0; i < size; ++i)
+      mode_[i] = std::sin(1.0 + 2.0 * static_cast<double>(i));
+  }
+  double rate = 0;
+  for (int n = 0; n < most_steps && size > 0; ++n) {
+    // x -> A^-1 B M^-1 B^T x, whose Rayleigh quotient in the norm of A is x.B M^-1 B^T x / x.A x.
+    const Eigen::VectorXd resisted = system_.matrix * mode_;
+    const Eigen::VectorXd pushed = product(mode_, per_mass, 1) - resisted;
+    const double next = mode_.dot(pushed) / mode_.dot(resisted);
+    Eigen::VectorXd answer = next * mode_;
+    solve(pushed, {}, 0, tolerance, answer);
+    mode_ = answer / answer.norm();
+    const bool done = std::abs(next - rate) < settled * next && n > 10;
+    rate = next;
+    if (done)
+      break;
+  }
+  return rate;
+}
+
+double PoreFluid::dissipation() const {
+  double power = 0;
+  for (std::size_t t = 0; t < network_.throats.size(); ++t) {
+    const auto [i, j] = network_.throats.pores[t];
+    const double drop = pressure_[i] - pressure_[j];
+    power += system_.conductance[t] * drop * drop;
+  }
+  return power;
+}
+
+} // namespace pfv

@@ -1,0 +1,95 @@
+#pragma once
+
+#include "pfv/clock.hpp"
+#include "pfv/flow/conductance.hpp"
+#include "pfv/flow/flow_options.hpp"
+#include "pfv/flow/flow_system.hpp"
+#include "pfv/problem/case.hpp"
+#include "pfv/simulation/solid_flux.hpp"
+#include "pfv/solvers/preconditioner.hpp"
+
+#include <memory>
+#include <optional>
+
+namespace pfv {
+
+/// A fluid that gives way: dp/dt = - bulk_modulus / V_void times the volume that enters.
+struct CompressibleFluid {
+  double bulk_modulus; // Pa
+
+  bool operator==(const CompressibleFluid&) const = default;
+};
+
+struct FluidScene {
+  Fluid fluid;
+  FaceConditions faces{};
+  std::vector<PressurePoint> pressure_points;
+  FlowOptions options;
+  std::optional<CompressibleFluid> compressible;
+  double tolerance = 1e-6;      // of pressures, in the norm of the dissipated power
+  double refresh_drift = 0.002; // of the mean radius: how far grains move before conductances are renewed,
+  double rebuild_drift = 0.05;  // and before they are triangulated anew
+};
+
+/// The fluid between grains that move: continuity in every pore, A p = - B v, as of eq. (10) of Catalano et al. 2011
+/// with SolidFlux for the rates of volume, and the forces B^T p.
+///
+/// Stages `triangulate`, `geometry`, `conductances`, `assemble` as of solve_steady_flow, `volume rates`, `solve` and
+/// `forces`. A network is followed as grains move and built anew when they have moved too far or a facet has turned
+/// around; pressures are carried over.
+class PoreFluid {
+public:
+  PoreFluid(const FluidScene& scene, const Packing& packing, Clock& clock);
+  ~PoreFluid();
+
+  /// Renews the pores if grains have moved; nothing otherwise.
+  void follow(const Packing& packing, Clock& clock);
+
+  /// Forces (N) on all bodies. Explicit when `per_mass` is empty: A p = - B v with the velocities (m/s) as they are.
+  /// Semi-implicit otherwise: p such that the velocities after the step, v + step F / mass, satisfy it, which is
+  /// (A + step B M^-1 B^T) p = - B v. `per_mass` is 1 / mass by body, zero where the motion is prescribed.
+  const std::vector<Vec3>& forces(std::span<const Vec3> velocity, std::span<const double> per_mass, double step,
+                                  Clock& clock);
+
+  /// Largest eigenvalue (1/s) of M^-1 B A^-1 B^T: an explicit step longer than 2 / it is unstable.
+  double largest_rate(std::span<const double> per_mass, Clock& clock);
+
+  const PoreNetwork& network() const { return network_; }
+  const FlowSystem& system() const { return system_; }
+  const SolidFlux& flux() const { return flux_; }
+  const std::vector<double>& pressure() const { return pressure_; } // Pa, by pore
+  /// J/s, dissipated by the flow between pores in the last solution.
+  double dissipation() const;
+
+  std::size_t refreshed = 0, rebuilt = 0, iterations = 0, solves = 0;
+
+private:
+  void build(const Packing& packing, Clock& clock);
+  void assemble_and_factor(Clock& clock);
+  void factor();
+  void set_storage(double step);
+  Eigen::VectorXd product(const Eigen::VectorXd& x, std::span<const double> per_mass, double step);
+  void solve(const Eigen::VectorXd& right_side, std::span<const double> per_mass, double step, double tolerance,
+             Eigen::VectorXd& x);
+  void to_pores(const Eigen::VectorXd& x);
+  Eigen::VectorXd to_unknowns(const std::vector<double>& of_pores) const;
+
+  FluidScene scene_;
+  PoreNetwork network_;
+  Conductances throats_;
+  FlowSystem system_;
+  SolidFlux flux_;
+  FlowMatrix stored_; // the system's matrix with the storage of the fluid; unused when it is incompressible
+  double stored_step_ = 0;
+  std::unique_ptr<Preconditioner> preconditioner_;
+  std::vector<double> pressure_;
+  Eigen::VectorXd solution_, before_; // now and one step ago
+  Eigen::VectorXd mode_;              // of the largest rate
+  std::vector<Vec3> triangulated_at_, refreshed_at_;
+  Box refreshed_box_;
+  double mean_radius_ = 0;
+  std::vector<double> rate_, of_pores_;
+  std::vector<Vec3> force_, scratch_force_;
+};
+
+} // namespace pfv

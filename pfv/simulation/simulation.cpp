@@ -1,0 +1,130 @@
+#include "pfv/simulation/simulation.hpp"
+
+#include "pfv/problem/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace pfv {
+namespace {
+
+constexpr std::size_t steps_between_limits = 1000, steps_between_checks = 20;
+
+std::vector<double> per_mass(const GrainCycle& cycle) {
+  std::vector<double> inverse;
+  for (const double mass : cycle.grains.mass)
+    inverse.push_back(1 / mass);
+  for (const Face face : all_faces) {
+    const auto* loaded = std::get_if<LoadedWall>(&cycle.scene.walls.motion[index(face)]);
+    inverse.push_back(loaded ? 1 / loaded->mass : 0);
+  }
+  return inverse;
+}
+
+/// N, of the stress on a loaded wall.
+Vec3 load_on_wall(const GrainCycle& cycle, std::size_t face) {
+  const auto* loaded = std::get_if<LoadedWall>(&cycle.scene.walls.motion[face]);
+  if (!loaded)
+    return Vec3::Zero();
+  const Vec3 size = cycle.grains.packing.box.size();
+  const double area = size.prod() / size[static_cast<int>(face / 2)];
+  return -loaded->stress * area * outward_normal(static_cast<Face>(face));
+}
+
+} // namespace
+
+double StepLimits::both() const {
+  if (!viscous)
+    return contact;
+  const double frequency = 2 / contact, rate = 2 / *viscous;
+  return 4 / (rate + std::hypot(rate, 2 * frequency));
+}
+
+Simulation::Simulation(const Scene& scene) : scene_(scene), cycle_(scene.packing, scene.grains) {
+  scene_.packing.spheres.clear();
+  if (scene.fluid) {
+    fluid_.emplace(*scene.fluid, cycle_.grains.packing, clock_);
+    per_mass_ = per_mass(cycle_);
+  }
+  choose_step();
+}
+
+void Simulation::choose_step() {
+  limits_.contact = cycle_.contact_limit();
+  if (fluid_ && std::holds_alternative<Explicit>(scene_.scheme))
+    limits_.viscous = 2 / fluid_->largest_rate(per_mass_, clock_);
+  step_ = scene_.step.value_or(scene_.safety * limits_.both());
+}
+
+std::vector<Vec3> Simulation::body_velocities() const {
+  std::vector<Vec3> velocity;
+  velocity.reserve(cycle_.grains.size() + 6);
+  for (const Velocity& of : cycle_.grains.velocity)
+    velocity.push_back(of.translation);
+  for (const Face face : all_faces)
+    velocity.push_back(cycle_.grains.wall_velocity[index(face)] * Vec3::Unit(index(axis_of(face))));
+  return velocity;
+}
+
+void Simulation::advance() {
+  if (steps_ > 0 && steps_ % steps_between_limits == 0 && !scene_.step)
+    choose_step();
+  cycle_.load(step_, clock_);
+  if (fluid_)
+    advance_with_fluid();
+  else
+    cycle_.kick(step_, clock_);
+  cycle_.drift(step_, clock_);
+  ++steps_;
+  if (steps_ % steps_between_checks == 0)
+    check_stability();
+}
+
+void Simulation::advance_with_fluid() {
+  fluid_->follow(cycle_.grains.packing, clock_);
+  const auto before = body_velocities();
+  cycle_.kick(step_, clock_);
+  const auto kicked = body_velocities();
+  fluid_force_ = std::holds_alternative<SemiImplicit>(scene_.scheme) ? fluid_->forces(kicked, per_mass_, step_, clock_)
+                                                                     : fluid_->forces(before, {}, step_, clock_);
+  const auto timing = clock_.stage("motion");
+  auto& energy = cycle_.energy;
+  for (std::size_t k = 0; k < kicked.size(); ++k) {
+    const Vec3 gained = step_ * per_mass_[k] * fluid_force_[k];
+    if (k < cycle_.grains.size()) {
+      cycle_.grains.velocity[k].translation += gained;
+    } else {
+      const std::size_t face = k - cycle_.grains.size();
+      cycle_.grains.wall_velocity[face] += gained[face / 2];
+    }
+    energy.fluid -= step_ * fluid_force_[k].dot(0.5 * (before[k] + kicked[k] + gained));
+    // The kick has counted its work with velocities to which the fluid had not yet added.
+    if (per_mass_[k] > 0) {
+      const Vec3 pushed = (kicked[k] - before[k]) / (step_ * per_mass_[k]);
+      const Vec3 load = k < cycle_.grains.size() ? cycle_.loads[k].force : pushed;
+      energy.local_damping += 0.5 * step_ * gained.dot(load - pushed);
+      if (k >= cycle_.grains.size())
+        energy.loads += 0.5 * gained.dot(load_on_wall(cycle_, k - cycle_.grains.size())) * step_;
+    }
+  }
+}
+
+void Simulation::check_stability() {
+  double fastest = 0;
+  for (const Velocity& velocity : cycle_.grains.velocity)
+    fastest = std::max(fastest, velocity.translation.squaredNorm());
+  fastest = std::sqrt(fastest);
+  const double smallest = std::ranges::min(cycle_.grains.packing.spheres, {}, &Sphere::radius).radius;
+  if (fastest * step_ < 0.5 * smallest)
+    return;
+  const double both = limits_.both();
+  throw SolveError(fmt::format("left stability at {:.6g} s: a grain moves by {:.2g} of the smallest radius in a step "
+                               "of {:.3g} s; the limits are "
+                               "{:.3g} s of the contacts{}{}",
+                               cycle_.time, fastest * step_ / smallest, step_, limits_.contact,
+                               limits_.viscous ? fmt::format(", {:.3g} s of the fluid", *limits_.viscous) : "",
+                               limits_.viscous ? fmt::format(", {:.3g} s of both", both) : ""));
+}
+
+} // namespace pfv

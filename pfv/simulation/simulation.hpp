@@ -1,0 +1,83 @@
+#pragma once
+
+#include "pfv/simulation/grain_cycle.hpp"
+#include "pfv/simulation/pore_fluid.hpp"
+
+#include <string_view>
+#include <variant>
+
+namespace pfv {
+
+// How the fluid's force enters a step.
+
+/// With the velocities of half a step before: cheap, and stable below a limit that the viscosity sets.
+struct Explicit {
+  static constexpr std::string_view name = "explicit";
+  bool operator==(const Explicit&) const = default;
+};
+
+/// With the velocities after it: the fluid limits no step.
+struct SemiImplicit {
+  static constexpr std::string_view name = "semi-implicit";
+  bool operator==(const SemiImplicit&) const = default;
+};
+
+using TimeScheme = std::variant<Explicit, SemiImplicit>;
+
+/// A packing in motion, with fluid or without.
+struct Scene {
+  std::string name;
+  Packing packing;
+  GrainScene grains;
+  std::optional<FluidScene> fluid;
+  TimeScheme scheme;
+  std::optional<double> step; // s; from the limits when absent
+  double safety = 0.8;        // share of the limit
+};
+
+/// The longest stable steps (s).
+struct StepLimits {
+  double contact;                // of contacts alone
+  std::optional<double> viscous; // of an explicit fluid alone
+  /// Of both: leapfrog with a lagging damper is stable while w^2 step^2 + 2 c step < 4.
+  double both() const;
+};
+
+/// The cycle of Catalano et al. 2011, figure 3: contacts, rates of volume, flow, forces of the fluid, motion. A dry
+/// scene has no pores, no matrix and none of the stages of a flow.
+class Simulation {
+public:
+  explicit Simulation(const Scene& scene);
+
+  /// One step of `step()` seconds. Throws SolveError naming the limit when the run has left stability.
+  void advance();
+
+  const StepLimits& limits() const { return limits_; }
+  double step() const { return step_; }
+  const GrainCycle& grains() const { return cycle_; }
+  GrainCycle& grains() { return cycle_; }
+  const std::optional<PoreFluid>& fluid() const { return fluid_; }
+  const Clock& clock() const { return clock_; }
+  std::size_t steps() const { return steps_; }
+  /// Force of the fluid on bodies (N) in the last step; empty when dry.
+  std::span<const Vec3> fluid_forces() const { return fluid_force_; }
+
+private:
+  void choose_step();
+  void advance_with_fluid();
+  void check_stability();
+  std::vector<Vec3> body_velocities() const;
+
+  Scene scene_; // without its packing
+  Clock clock_;
+  GrainCycle cycle_;
+  std::optional<PoreFluid> fluid_;
+  std::vector<double> per_mass_; // 1/kg, by body
+  std::vector<Vec3> fluid_force_;
+  StepLimits limits_{};
+  double step_ = 0;
+  double speed_scale_ = 0; // m/s, beyond which a grain crosses itself in a few steps
+  std::size_t steps_ = 0;
+};
+
+} // namespace pfv
