@@ -1,4 +1,5 @@
 #include "pfv/command/permeability_command.hpp"
+#include "pfv/command/run_command.hpp"
 #include "pfv/problem/error.hpp"
 
 #include <CLI/CLI.hpp>
@@ -17,16 +18,17 @@ int fail(ExitCode code, const std::exception& error) {
 } // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Pore-scale finite volumes on the regular triangulation of a sphere packing", "pfv"};
+  CLI::App app{"Flow through sphere packings by pore-scale finite volumes, and grains in motion with it", "pfv"};
   app.set_version_flag("--version", PFV_VERSION);
   app.require_subcommand(1);
   pfv::add_permeability_command(app);
+  pfv::add_run_command(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {
     return app.exit(request);
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "pfv: {}; pfv permeability --help says what is allowed\n", error.what());
+    fmt::print(stderr, "pfv: {}; --help says what is allowed\n", error.what());
     return bad_input;
   } catch (const pfv::InputError& error) {
     return fail(bad_input, error);

@@ -1,7 +1,7 @@
 #include "pfv/problem/case.hpp"
 
 #include "pfv/problem/read_conditions.hpp"
-#include "pfv/problem/read_generator.hpp"
+#include "pfv/problem/read_parts.hpp"
 #include "pfv/problem/toml_input.hpp"
 #include "pfv/problem/validate.hpp"
 
@@ -11,67 +11,6 @@
 namespace pfv {
 
 namespace {
-
-int line_of(const toml::node& node) {
-  return static_cast<int>(node.source().begin.line);
-}
-
-Packing read_inline(const toml::table& table, const PeriodicAxes& periodic) {
-  allow_keys(table, "[packing] with spheres", {"box", "spheres"});
-  const toml::node& box = required(table, "[packing]", "box");
-  const auto* corners = box.as_array();
-  if (!corners || corners->size() != 2)
-    fail_at(box, fmt::format("box \"{}\" must be two corners [[x, y, z], [x, y, z]] (m)", quote(box)));
-  const toml::node& list = required(table, "[packing]", "spheres");
-  const auto* rows = list.as_array();
-  if (!rows)
-    fail_at(list, fmt::format("spheres \"{}\" must be a list of [x, y, z, r] (m)", quote(list)));
-
-  Packing packing{{as_vector((*corners)[0], "box corner"), as_vector((*corners)[1], "box corner")}, {}};
-  PackingOrigin origin{*table.source().path, line_of(box), {}};
-  for (const toml::node& row : *rows) {
-    const auto* values = row.as_array();
-    if (!values || values->size() != 4)
-      fail_at(row, fmt::format("sphere \"{}\" must be four numbers [x, y, z, r] (m)", quote(row)));
-    const auto value = [&](int i) { return as_number((*values)[i], "sphere"); };
-    packing.spheres.push_back({Vec3(value(0), value(1), value(2)), value(3)});
-    origin.sphere_lines.push_back(line_of(row));
-  }
-  validate(packing, origin, periodic);
-  return packing;
-}
-
-Packing read_packing(const toml::table& table, const std::filesystem::path& folder, const PeriodicAxes& periodic) {
-  const bool file = table.contains("file");
-  const bool generator = table.contains("generator");
-  const bool spheres = table.contains("box") || (table.contains("spheres") && !generator);
-  if (file + generator + spheres != 1)
-    fail_at(table, "[packing] must have exactly one of file, generator, or box with spheres");
-  if (generator)
-    return read_generator(table, periodic);
-  if (spheres)
-    return read_inline(table, periodic);
-  allow_keys(table, "[packing] with a file", {"file"});
-  return pfv::read_packing(folder / as_text(*table.get("file"), "file"), periodic);
-}
-
-Fluid read_fluid(const toml::table& table) {
-  allow_keys(table, "[fluid]", {"viscosity"});
-  const toml::node* viscosity = table.get("viscosity");
-  if (!viscosity)
-    return {};
-  const Fluid fluid{as_number(*viscosity, "viscosity")};
-  located(*viscosity, [&] { validate(fluid); });
-  return fluid;
-}
-
-Buoyancy read_buoyancy(const toml::table& table) {
-  allow_keys(table, "[buoyancy]", {"fluid_density", "gravity"});
-  const Buoyancy buoyancy{as_number(required(table, "[buoyancy]", "fluid_density"), "fluid_density"),
-                          as_vector(required(table, "[buoyancy]", "gravity"), "gravity")};
-  located(table, [&] { validate(buoyancy); });
-  return buoyancy;
-}
 
 FaceInput read_face_input(const toml::table& root) {
   const toml::node* flow = root.get("flow");
@@ -127,18 +66,15 @@ Case read_case(const std::filesystem::path& file, const QuestionOptions& options
   problem.name = file.stem().string();
   if (const toml::node* name = root.get("name"))
     problem.name = as_text(*name, "name");
-  const toml::table& packing = as_table(required(root, "the case", "packing"), "packing");
   const FaceInput input = overridden(read_face_input(root), options);
-  problem.packing = read_packing(packing, file.parent_path(), periodic_axes(input));
+  problem.packing = read_packing(root, file.parent_path(), periodic_axes(input));
   problem.faces = face_conditions(input, problem.packing.box);
-  if (const toml::node* fluid = root.get("fluid"))
-    problem.fluid = read_fluid(as_table(*fluid, "fluid"));
+  problem.fluid = read_fluid(root);
   if (const toml::node* points = root.get("pressure_points"))
     problem.pressure_points = read_pressure_points(*points, problem.packing.box);
   const toml::node* faces = root.get("faces");
   located(faces ? *faces : root, [&] { validate_level(problem.faces, problem.pressure_points); });
-  if (const toml::node* buoyancy = root.get("buoyancy"))
-    problem.buoyancy = read_buoyancy(as_table(*buoyancy, "buoyancy"));
+  problem.buoyancy = read_buoyancy(root);
   return problem;
 }
 

@@ -41,6 +41,13 @@ double StepLimits::both() const {
   return 4 / (rate + std::hypot(rate, 2 * frequency));
 }
 
+double StepLimits::chosen() const {
+  StepLimits safe{0.3 * contact, std::nullopt};
+  if (viscous)
+    safe.viscous = 0.8 * *viscous;
+  return safe.both();
+}
+
 Simulation::Simulation(const Scene& scene) : scene_(scene), cycle_(scene.packing, scene.grains) {
   scene_.packing.spheres.clear();
   if (scene.fluid) {
@@ -54,7 +61,7 @@ void Simulation::choose_step() {
   limits_.contact = cycle_.contact_limit();
   if (fluid_ && std::holds_alternative<Explicit>(scene_.scheme))
     limits_.viscous = 2 / fluid_->largest_rate(per_mass_, clock_);
-  step_ = scene_.step.value_or(scene_.safety * limits_.both());
+  step_ = scene_.step.value_or(limits_.chosen());
 }
 
 std::vector<Vec3> Simulation::body_velocities() const {

@@ -1,0 +1,162 @@
+#include "pfv/command/run_report.hpp"
+
+#include "pfv/flow/choice.hpp"
+#include "pfv/grains/contact_list.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <numeric>
+
+namespace pfv {
+namespace {
+
+std::string words(const Vec3& v) {
+  return fmt::format("{:g} {:g} {:g}", v.x(), v.y(), v.z());
+}
+
+double mean_pressure(const Simulation& simulation) {
+  const auto& fluid = *simulation.fluid();
+  const auto& volume = fluid.network().pores.void_volume;
+  const double sum = std::inner_product(volume.begin(), volume.end(), fluid.pressure().begin(), 0.0);
+  return sum / std::reduce(volume.begin(), volume.end());
+}
+
+/// Kinetic and elastic energy (J), half a step apart.
+std::pair<double, double> stored(const Simulation& simulation) {
+  const GrainCycle& cycle = simulation.grains();
+  return {kinetic_energy(cycle.grains, cycle.scene.walls), elastic_energy(cycle.grains, cycle.contacts)};
+}
+
+} // namespace
+
+std::vector<std::string> effects_of(const Scene& scene) {
+  const GrainScene& grains = scene.grains;
+  std::vector<std::string> effects{fmt::format("contacts, {}", name_of(grains.law))};
+  if (grains.cohesion)
+    effects.push_back(fmt::format("cohesion, {:g} Pa in tension, {:g} Pa in shear", grains.cohesion->tensile_strength,
+                                  grains.cohesion->shear_strength));
+  if (grains.damping.share > 0)
+    effects.push_back(fmt::format("local damping, {:g}", grains.damping.share));
+  if (grains.gravity)
+    effects.push_back(fmt::format("gravity, {} m/s^2", words(grains.gravity->acceleration)));
+  if (grains.buoyancy)
+    effects.push_back(fmt::format("buoyancy, {:g} kg/m^3", grains.buoyancy->fluid_density));
+  if (scene.fluid) {
+    effects.push_back(
+        fmt::format("pressure and viscous force, {:g} Pa s, {}", scene.fluid->fluid.viscosity, name_of(scene.scheme)));
+    if (scene.fluid->compressible)
+      effects.push_back(fmt::format("compressible fluid, {:g} Pa", scene.fluid->compressible->bulk_modulus));
+  }
+  return effects;
+}
+
+std::string opening_report(const Scene& scene, const Simulation& simulation) {
+  std::string text;
+  const auto line = [&](const char* what, const std::string& value) { text += fmt::format("{:<14}{}\n", what, value); };
+  line("scene", scene.name);
+  line("grains", fmt::format("{}", simulation.grains().grains.size()));
+  if (const auto& fluid = simulation.fluid())
+    line("pores", fmt::format("{}", fluid->network().pores.size()));
+  for (const std::string& effect : effects_of(scene))
+    line("effect", effect);
+  const StepLimits& limits = simulation.limits();
+  line("limit", fmt::format("{:.3g} s of the contacts{}", limits.contact,
+                            limits.viscous ? fmt::format(", {:.3g} s of the fluid", *limits.viscous) : ""));
+  line("step", fmt::format("{:.3g} s", simulation.step()));
+  return text;
+}
+
+std::string closing_report(const Simulation& simulation) {
+  const GrainCycle& cycle = simulation.grains();
+  const auto [kinetic, elastic] = stored(simulation);
+  const EnergyBalance& energy = cycle.energy;
+  std::string text;
+  const auto line = [&](const char* what, const std::string& value) { text += fmt::format("{:<14}{}\n", what, value); };
+  line("time", fmt::format("{:.6g} s after {} steps", cycle.time, simulation.steps()));
+  line("box", words(cycle.grains.packing.box.size()) + " m");
+  line("contacts", fmt::format("{}", contact_list(cycle.grains, cycle.contacts).size()));
+  line("unbalanced", fmt::format("{:.3g}", cycle.unbalanced_force()));
+  if (cycle.scene.cohesion)
+    line("broken bonds", fmt::format("{}", cycle.broken_bonds));
+  if (const auto& fluid = simulation.fluid()) {
+    line("pressure", fmt::format("{:.6g} Pa, mean over the fluid", mean_pressure(simulation)));
+    line("pores renewed",
+         fmt::format("{} times in place, {} times triangulated anew", fluid->refreshed, fluid->rebuilt));
+    line("iterations", fmt::format("{:.2f} for a pressure field",
+                                   static_cast<double>(fluid->iterations) / static_cast<double>(fluid->solves)));
+  }
+  line("energy", fmt::format("{:.6g} J of loads, {:.6g} J of weight", energy.loads, energy.gravity));
+  line("", fmt::format("{:.6g} J kinetic, {:.6g} J elastic", kinetic, elastic));
+  line("", fmt::format("lost: {:.6g} J in friction, {:.6g} J in contact damping, {:.6g} J in local damping{}",
+                       energy.friction, energy.contact_damping, energy.local_damping,
+                       simulation.fluid() ? fmt::format(", {:.6g} J to the fluid", energy.fluid) : ""));
+  text += "cpu seconds\n";
+  for (const auto& stage : simulation.clock().stages())
+    text += fmt::format("  {:<14}{:.3g}\n", stage.name, stage.cpu_seconds);
+  return text;
+}
+
+std::string json_report(const Scene& scene, const Simulation& simulation) {
+  const GrainCycle& cycle = simulation.grains();
+  const auto [kinetic, elastic] = stored(simulation);
+  const Vec3 size = cycle.grains.packing.box.size();
+  nlohmann::ordered_json json;
+  json["scene"] = scene.name;
+  json["grains"] = cycle.grains.size();
+  json["effects"] = effects_of(scene);
+  json["contact_limit"] = simulation.limits().contact;
+  if (simulation.limits().viscous)
+    json["viscous_limit"] = *simulation.limits().viscous;
+  json["step"] = simulation.step();
+  json["steps"] = simulation.steps();
+  json["time"] = cycle.time;
+  json["box"] = {size.x(), size.y(), size.z()};
+  json["contacts"] = contact_list(cycle.grains, cycle.contacts).size();
+  json["unbalanced_force"] = cycle.unbalanced_force();
+  if (cycle.scene.cohesion)
+    json["broken_bonds"] = cycle.broken_bonds;
+  if (const auto& fluid = simulation.fluid()) {
+    json["mean_pressure"] = mean_pressure(simulation);
+    json["pores"] = fluid->network().pores.size();
+    json["refreshed"] = fluid->refreshed;
+    json["rebuilt"] = fluid->rebuilt;
+    json["iterations"] = fluid->iterations;
+  }
+  json["energy"] = {{"loads", cycle.energy.loads},
+                    {"weight", cycle.energy.gravity},
+                    {"kinetic", kinetic},
+                    {"elastic", elastic},
+                    {"friction", cycle.energy.friction},
+                    {"contact_damping", cycle.energy.contact_damping},
+                    {"local_damping", cycle.energy.local_damping}};
+  if (simulation.fluid())
+    json["energy"]["fluid"] = cycle.energy.fluid;
+  auto& stages = json["stages"] = nlohmann::ordered_json::object();
+  for (const auto& stage : simulation.clock().stages())
+    stages[stage.name] = stage.cpu_seconds;
+  json["cpu_seconds"] = process_cpu_seconds();
+  json["peak_memory_bytes"] = peak_memory_bytes();
+  return json.dump(2) + "\n";
+}
+
+std::string history_header() {
+  return "time,size_x,size_y,size_z,contacts,unbalanced_force,kinetic,elastic,loads,weight,friction,contact_damping,"
+         "local_damping,fluid,mean_pressure\n";
+}
+
+std::string history_row(const Simulation& simulation) {
+  const GrainCycle& cycle = simulation.grains();
+  const auto [kinetic, elastic] = stored(simulation);
+  const Vec3 size = cycle.grains.packing.box.size();
+  const EnergyBalance& energy = cycle.energy;
+  return fmt::format("{},{},{},{},{},{:.4g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{},{}\n", cycle.time,
+                     size.x(), size.y(), size.z(), contact_list(cycle.grains, cycle.contacts).size(),
+                     cycle.unbalanced_force(), kinetic, elastic, energy.loads, energy.gravity, energy.friction,
+                     energy.contact_damping, energy.local_damping,
+                     simulation.fluid() ? fmt::format("{:.9g}", energy.fluid) : "",
+                     simulation.fluid() ? fmt::format("{:.9g}", mean_pressure(simulation)) : "");
+}
+
+} // namespace pfv

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "pfv/problem/case.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <toml++/toml.h>
+
+namespace pfv {
+
+// The parts of a case file that other files have too. Each throws InputError (file, line, value, what is allowed).
+
+/// [packing]; a file in it is relative to `folder`.
+Packing read_packing(const toml::table& root, const std::filesystem::path& folder, const PeriodicAxes& periodic);
+
+/// [fluid], or what it is by default.
+Fluid read_fluid(const toml::table& root);
+
+/// [buoyancy], when it is there.
+std::optional<Buoyancy> read_buoyancy(const toml::table& root);
+
+} // namespace pfv

@@ -1,0 +1,194 @@
+#include "pfv/simulation/read_scene.hpp"
+
+#include "pfv/flow/choice.hpp"
+#include "pfv/problem/read_conditions.hpp"
+#include "pfv/problem/read_parts.hpp"
+#include "pfv/problem/text.hpp"
+#include "pfv/problem/toml_input.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace pfv {
+namespace {
+
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+/// The number of a key, or what it is when left out; it must lie in [least, most], and not be zero when `positive`.
+double number(const toml::table& table, std::string_view key, double otherwise, double least, double most = unbounded,
+              bool positive = false) {
+  const toml::node* node = table.get(key);
+  if (!node)
+    return otherwise;
+  const double value = as_number(*node, key);
+  if (!(std::isfinite(value) && value >= least && value <= most && (value > 0 || !positive)))
+    fail_at(*node, fmt::format("{} \"{}\" must be {}{}", key, shortest(value),
+                               positive ? "above 0" : fmt::format("at least {}", shortest(least)),
+                               most < unbounded ? fmt::format(" and at most {}", shortest(most)) : ""));
+  return value;
+}
+
+double positive(const toml::table& table, std::string_view key, double otherwise) {
+  return number(table, key, otherwise, 0, unbounded, true);
+}
+
+const toml::table* part(const toml::table& root, std::string_view name) {
+  const toml::node* node = root.get(name);
+  return node ? &as_table(*node, name) : nullptr;
+}
+
+ContactLaw read_contact(const toml::table& table) {
+  const toml::node* law_node = table.get("law");
+  const std::string name = law_node ? as_text(*law_node, "law") : std::string(LinearSprings::name);
+  ContactLaw law;
+  if (law_node)
+    located(*law_node, [&] { law = choice_named<ContactLaw>("law", name); });
+  const auto place = fmt::format("[contact] with law {}", name);
+  Friction friction{number(table, "friction", 0.5, 0), number(table, "damping", 0, 0, 1)};
+  if (auto* linear = std::get_if<LinearSprings>(&law)) {
+    allow_keys(table, place, {"law", "young", "tangential_ratio", "friction", "damping"});
+    linear->young = positive(table, "young", linear->young);
+    linear->tangential_ratio = number(table, "tangential_ratio", linear->tangential_ratio, 0);
+    linear->friction = friction;
+  } else if (auto* constant = std::get_if<ConstantSprings>(&law)) {
+    allow_keys(table, place, {"law", "normal", "tangential", "friction", "damping"});
+    constant->normal = positive(table, "normal", constant->normal);
+    constant->tangential = number(table, "tangential", constant->tangential, 0);
+    constant->friction = friction;
+  } else if (auto* hertz = std::get_if<HertzMindlin>(&law)) {
+    allow_keys(table, place, {"law", "young", "poisson", "friction", "damping"});
+    hertz->young = positive(table, "young", hertz->young);
+    hertz->poisson = number(table, "poisson", hertz->poisson, 0, 0.5);
+    hertz->friction = friction;
+  }
+  return law;
+}
+
+WallMotion read_wall(const toml::node& node, std::string_view name, double mass_of_grains) {
+  if (node.is_string() && as_text(node, name) == "fixed")
+    return FixedWall{};
+  const auto* table = node.as_table();
+  if (table && table->contains("velocity")) {
+    allow_keys(*table, name, {"velocity"});
+    return MovingWall{number(*table, "velocity", 0, -unbounded)};
+  }
+  if (table && table->contains("stress")) {
+    allow_keys(*table, name, {"stress", "mass"});
+    return LoadedWall{number(*table, "stress", 0, 0), positive(*table, "mass", mass_of_grains)};
+  }
+  fail_at(node, fmt::format("{} \"{}\" must be \"fixed\", {{ velocity = m/s }} or {{ stress = Pa, mass = kg }}", name,
+                            quote(node)));
+}
+
+Walls read_walls(const toml::table& table, double mass_of_grains) {
+  allow_keys(table, "[walls]", {"friction", "x_min", "x_max", "y_min", "y_max", "z_min", "z_max"});
+  Walls walls;
+  walls.friction = number(table, "friction", 0, 0);
+  for (const Face face : all_faces)
+    if (const toml::node* node = table.get(face_names[index(face)]))
+      walls.motion[index(face)] = read_wall(*node, face_names[index(face)], mass_of_grains);
+  return walls;
+}
+
+GrainScene read_grains(const toml::table& root, const Packing& packing) {
+  GrainScene grains;
+  if (const auto* table = part(root, "grains")) {
+    allow_keys(*table, "[grains]", {"density"});
+    grains.density = positive(*table, "density", grains.density);
+  }
+  if (const auto* table = part(root, "contact"))
+    grains.law = read_contact(*table);
+  double mass = 0;
+  for (const Sphere& sphere : packing.spheres)
+    mass += grains.density * volume(sphere);
+  if (const auto* table = part(root, "walls"))
+    grains.walls = read_walls(*table, mass);
+  if (const auto* table = part(root, "local_damping")) {
+    allow_keys(*table, "[local_damping]", {"share"});
+    grains.damping.share = number(*table, "share", 0.2, 0, 0.99);
+  }
+  if (const auto* table = part(root, "cohesion")) {
+    allow_keys(*table, "[cohesion]", {"tensile_strength", "shear_strength"});
+    required(*table, "[cohesion]", "tensile_strength");
+    required(*table, "[cohesion]", "shear_strength");
+    grains.cohesion = Cohesion{number(*table, "tensile_strength", 0, 0), number(*table, "shear_strength", 0, 0)};
+  }
+  if (const auto* table = part(root, "gravity")) {
+    allow_keys(*table, "[gravity]", {"acceleration"});
+    grains.gravity = Gravity{as_vector(required(*table, "[gravity]", "acceleration"), "acceleration")};
+  }
+  grains.buoyancy = read_buoyancy(root);
+  return grains;
+}
+
+std::optional<FluidScene> read_fluid_scene(const std::filesystem::path& file, const toml::table& root,
+                                           const Packing& packing) {
+  const auto *flow = part(root, "flow"), *faces = part(root, "faces");
+  if (flow && faces)
+    fail_at(*faces, "a scene has at most one of [flow] and [faces]");
+  if (!flow && !faces) {
+    for (const char* key : {"fluid", "compressible_fluid", "pfv", "pressure_points"})
+      if (const toml::node* node = root.get(key))
+        fail_at(*node, fmt::format("[{}] needs [flow] or [faces]: without them the scene is dry", key));
+    return std::nullopt;
+  }
+  FluidScene fluid;
+  fluid.fluid = read_fluid(root);
+  const FaceInput input = flow ? read_flow(*flow) : FaceInput(read_faces(*faces));
+  if (const auto* along = std::get_if<FlowAlong>(&input))
+    fluid.faces = flow_along(along->axis, along->pressure_drop, along->periodic, packing.box, along->tangential);
+  else
+    fluid.faces = std::get<FaceConditions>(input);
+  if (const toml::node* points = root.get("pressure_points"))
+    fluid.pressure_points = read_pressure_points(*points, packing.box);
+  fluid.options = read_flow_options(file, {});
+  if (const auto* table = part(root, "compressible_fluid")) {
+    allow_keys(*table, "[compressible_fluid]", {"bulk_modulus"});
+    required(*table, "[compressible_fluid]", "bulk_modulus");
+    fluid.compressible = CompressibleFluid{positive(*table, "bulk_modulus", 1)};
+  }
+  return fluid;
+}
+
+Duration read_run(const toml::table& table, Scene& scene) {
+  allow_keys(table, "[run]", {"until", "steps", "step", "scheme"});
+  Duration duration;
+  if (table.contains("until"))
+    duration.until = positive(table, "until", 0);
+  if (const toml::node* node = table.get("steps")) {
+    const auto steps = as_integer(*node, "steps");
+    if (steps < 1)
+      fail_at(*node, fmt::format("steps \"{}\" must be a whole number, 1 or more", steps));
+    duration.steps = static_cast<std::size_t>(steps);
+  }
+  if (table.contains("step"))
+    scene.step = positive(table, "step", 0);
+  if (const toml::node* node = table.get("scheme")) {
+    const std::string name = as_text(*node, "scheme");
+    located(*node, [&] { scene.scheme = choice_named<TimeScheme>("scheme", name); });
+  }
+  return duration;
+}
+
+} // namespace
+
+SceneFile read_scene(const std::filesystem::path& file) {
+  const toml::table root = read_toml(file);
+  allow_keys(root, "a scene",
+             {"name", "packing", "grains", "contact", "walls", "local_damping", "cohesion", "gravity", "buoyancy",
+              "fluid", "flow", "faces", "pressure_points", "compressible_fluid", "pfv", "run"});
+  SceneFile read;
+  Scene& scene = read.scene;
+  scene.name = file.stem().string();
+  if (const toml::node* name = root.get("name"))
+    scene.name = as_text(*name, "name");
+  scene.packing = read_packing(root, file.parent_path(), {});
+  scene.grains = read_grains(root, scene.packing);
+  scene.fluid = read_fluid_scene(file, root, scene.packing);
+  if (const auto* table = part(root, "run"))
+    read.duration = read_run(*table, scene);
+  return read;
+}
+
+} // namespace pfv
