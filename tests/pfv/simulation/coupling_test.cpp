@@ -1,0 +1,123 @@
+#include "pfv/problem/error.hpp"
+#include "scenes.hpp"
+
+#include "support/message_of.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace pfv;
+using namespace pfv::testing;
+
+namespace {
+
+std::vector<std::string> stages_of(const Simulation& simulation) {
+  std::vector<std::string> names;
+  for (const Stage& stage : simulation.clock().stages())
+    names.push_back(stage.name);
+  return names;
+}
+
+TEST(Coupling, DrySceneHasNeitherPoresNorStagesOfAFlow) {
+  Scene scene = drained_box(100, 1.35, 1);
+  scene.fluid.reset();
+  Simulation simulation(scene);
+  for (int n = 0; n < 50; ++n)
+    simulation.advance();
+  EXPECT_EQ(stages_of(simulation), (std::vector<std::string>{"contacts", "motion"}));
+  EXPECT_FALSE(simulation.fluid());
+  EXPECT_TRUE(simulation.fluid_forces().empty());
+  EXPECT_TRUE(simulation.grains().weight.empty());
+  EXPECT_FALSE(simulation.limits().viscous);
+}
+
+TEST(Coupling, WorkOfLoadsIsStoredOrLostToTheFluidAndFriction) {
+  for (const double ratio : {1.0, 5.0}) {
+    Scene scene = drained_box(150, ratio, 10);
+    scene.grains.damping.share = 0.1;
+    scene.step = 0.1 * Simulation(scene).step();
+    Simulation simulation(scene);
+    double elastic = 0;
+    for (int n = 0; n < 4000; ++n) {
+      elastic = elastic_energy(simulation.grains().grains, simulation.grains().contacts);
+      simulation.advance();
+    }
+    const GrainCycle& cycle = simulation.grains();
+    elastic = 0.5 * (elastic + elastic_energy(cycle.grains, cycle.contacts));
+    const double stored = kinetic_energy(cycle.grains, cycle.scene.walls) + elastic;
+    EXPECT_GT(cycle.energy.fluid, 0.1 * cycle.energy.loads);
+    EXPECT_NEAR((stored + cycle.energy.lost()) / cycle.energy.loads, 1, 1e-3) << ratio;
+  }
+}
+
+TEST(Coupling, FollowedPoresPushAsNewOnes) {
+  Scene scene = drained_box(150, 2, 10);
+  scene.fluid->tolerance = 1e-10;
+  Clock clock;
+  Packing packing = scene.packing;
+  PoreFluid followed(*scene.fluid, packing, clock);
+  for (std::size_t k = 0; k < packing.spheres.size(); ++k)
+    packing.spheres[k].centre += 0.003 * packing.spheres[k].radius * Vec3(std::sin(k), std::cos(k), std::sin(3.0 * k));
+  packing.box.upper.z() += 1e-4;
+  followed.follow(packing, clock);
+  EXPECT_EQ(followed.refreshed + followed.rebuilt, 1u);
+  PoreFluid fresh(*scene.fluid, packing, clock);
+  std::vector<Vec3> velocity(packing.spheres.size() + 6, Vec3::Zero());
+  for (std::size_t k = 0; k < packing.spheres.size(); ++k)
+    velocity[k] = {std::sin(1.0 + k), std::cos(2.0 * k), std::sin(5.0 * k)};
+  const auto a = followed.forces(velocity, {}, 1, clock), b = fresh.forces(velocity, {}, 1, clock);
+  double difference = 0, size = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    difference += (a[k] - b[k]).squaredNorm();
+    size += b[k].squaredNorm();
+  }
+  EXPECT_LT(std::sqrt(difference / size), 1e-6);
+}
+
+TEST(Coupling, CompressibleFluidTakesTheLoadAtOnceInProportionToItsStiffness) {
+  // Sealed box: fluid and skeleton share the piston's stress; a stiff fluid carries nearly all of it.
+  for (const double bulk_modulus : {1e6, 1e8}) {
+    Scene scene = drained_box(150, 1.35, 1);
+    scene.fluid->faces = {};
+    scene.fluid->faces[index(Face::z_min)] = Pressure{0};
+    scene.fluid->compressible = CompressibleFluid{bulk_modulus};
+    scene.scheme = SemiImplicit{};
+    scene.grains.walls.motion[index(Face::z_max)] = MovingWall{-1e-3};
+    Simulation simulation(scene);
+    simulation.advance();
+    const auto& fluid = *simulation.fluid();
+    const double highest = *std::ranges::max_element(fluid.pressure());
+    EXPECT_GT(highest, 0);
+    // No pore can be pressed faster than by all of the volume the wall sweeps entering it.
+    const double swept = 1e-3 * simulation.step();
+    const double smallest = *std::ranges::min_element(fluid.network().pores.void_volume);
+    EXPECT_LT(highest, bulk_modulus * swept / smallest);
+  }
+}
+
+TEST(Coupling, SealedIncompressibleFluidIsRefused) {
+  Scene scene = drained_box(100, 1, 1);
+  scene.fluid->faces = {};
+  EXPECT_NE(message_of<InputError>([&] { Simulation{scene}; }).find("pressure"), std::string::npos);
+}
+
+TEST(Coupling, UpwardFlowCarriesTheBuoyantWeight) {
+  // The fluid's forces on grains and the face below them are the drop times the area, whatever the grains do.
+  Scene scene = drained_box(100, 1.35, 1);
+  scene.fluid->faces[index(Face::z_min)] = Pressure{500};
+  scene.grains.walls.motion[index(Face::z_max)] = FixedWall{};
+  scene.grains.gravity = Gravity{Vec3(0, 0, -9.81)};
+  scene.grains.buoyancy = Buoyancy{1000, Vec3(0, 0, -9.81)};
+  Simulation simulation(scene);
+  double weight = 0, up = 0;
+  simulation.advance();
+  for (std::size_t k = 0; k < simulation.grains().grains.size(); ++k) {
+    weight += simulation.grains().weight[k].z();
+    up += simulation.fluid_forces()[k].z();
+  }
+  EXPECT_NEAR(weight, -0.5 * 1600 * 9.81, 1e-9);
+  EXPECT_NEAR(up, 500, 1);
+}
+
+} // namespace

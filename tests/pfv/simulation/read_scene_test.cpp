@@ -1,0 +1,107 @@
+#include "pfv/problem/error.hpp"
+#include "pfv/simulation/read_scene.hpp"
+
+#include "support/message_of.hpp"
+#include "support/temporary_file.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace pfv;
+using namespace pfv::testing;
+
+namespace {
+
+constexpr const char* packing = "[packing]\ngenerator = \"random\"\nspheres = 10\nsolid_fraction = 0.3\n";
+
+SceneFile read(const std::string& text) {
+  const TemporaryFile file("scene.toml", text);
+  return read_scene(file.path());
+}
+
+TEST(ReadScene, NamesNothingThatIsNotWritten) {
+  const Scene scene = read(packing).scene;
+  EXPECT_EQ(scene.packing.spheres.size(), 10u);
+  EXPECT_FALSE(scene.fluid);
+  EXPECT_FALSE(scene.grains.gravity);
+  EXPECT_FALSE(scene.grains.buoyancy);
+  EXPECT_FALSE(scene.grains.cohesion);
+  EXPECT_EQ(scene.grains.damping.share, 0);
+  EXPECT_EQ(scene.grains.walls, Walls{});
+}
+
+TEST(ReadScene, ReadsAllThereIs) {
+  const SceneFile file = read(std::string(packing) + R"(
+[grains]
+density = 2500
+[contact]
+law = "hertz"
+young = 7e9
+poisson = 0.2
+friction = 0.4
+damping = 0.1
+[walls]
+friction = 0.3
+x_min = "fixed"
+y_max = { velocity = -0.1 }
+z_max = { stress = 5e3, mass = 2 }
+[local_damping]
+share = 0.3
+[cohesion]
+tensile_strength = 1e4
+shear_strength = 2e4
+[gravity]
+acceleration = [0, 0, -9.81]
+[buoyancy]
+fluid_density = 1000
+gravity = [0, 0, -9.81]
+[fluid]
+viscosity = 10
+[flow]
+axis = "z"
+pressure_drop = 2
+[compressible_fluid]
+bulk_modulus = 2e9
+[run]
+scheme = "semi-implicit"
+until = 3
+step = 1e-3
+)");
+  const GrainScene& grains = file.scene.grains;
+  EXPECT_EQ(grains.density, 2500);
+  EXPECT_EQ(grains.law, ContactLaw(HertzMindlin{7e9, 0.2, {0.4, 0.1}}));
+  EXPECT_EQ(grains.walls.friction, 0.3);
+  EXPECT_EQ(grains.walls.motion[index(Face::y_max)], WallMotion(MovingWall{-0.1}));
+  EXPECT_EQ(grains.walls.motion[index(Face::z_max)], WallMotion(LoadedWall{5e3, 2}));
+  EXPECT_EQ(grains.damping.share, 0.3);
+  EXPECT_EQ(grains.cohesion, (Cohesion{1e4, 2e4}));
+  EXPECT_EQ(grains.gravity, Gravity{Vec3(0, 0, -9.81)});
+  EXPECT_EQ(grains.buoyancy, (Buoyancy{1000, Vec3(0, 0, -9.81)}));
+  ASSERT_TRUE(file.scene.fluid);
+  EXPECT_EQ(file.scene.fluid->fluid.viscosity, 10);
+  EXPECT_EQ(file.scene.fluid->compressible, CompressibleFluid{2e9});
+  EXPECT_TRUE(std::holds_alternative<SemiImplicit>(file.scene.scheme));
+  EXPECT_EQ(file.scene.step, 1e-3);
+  EXPECT_EQ(file.duration.until, 3);
+}
+
+TEST(ReadScene, RefusesInOneLineThatQuotesTheValue) {
+  const auto message = [](const std::string& text) {
+    return message_of<InputError>([&] { read(std::string(packing) + text); });
+  };
+  const auto says = [&](const std::string& text, const char* part) {
+    const std::string line = message(text);
+    EXPECT_NE(line.find(part), std::string::npos) << line;
+    EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+  };
+  says("[contact]\nlaw = \"glue\"\n", "\"glue\" is not one of linear, constant, hertz");
+  says("[contact]\nyoung = -1\n", "young \"-1\" must be above 0");
+  says("[contact]\npoisson = 0.2\n", "poisson");
+  says("[walls]\nz_max = \"loose\"\n", "must be \"fixed\", { velocity = m/s } or { stress = Pa, mass = kg }");
+  says("[local_damping]\nshare = 2\n", "share \"2\" must be at least 0 and at most 0.99");
+  says("[fluid]\nviscosity = 1\n", "[fluid] needs [flow] or [faces]: without them the scene is dry");
+  says("[flow]\naxis = \"z\"\n[run]\nscheme = \"magic\"\n", "\"magic\" is not one of explicit, semi-implicit");
+  says("[run]\nsteps = 0\n", "steps \"0\" must be a whole number, 1 or more");
+  says("[wind]\nspeed = 1\n", "wind");
+}
+
+} // namespace
