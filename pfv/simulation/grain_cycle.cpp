@@ -46,6 +46,30 @@ void GrainCycle::kick(double step, Clock& clock) {
   energy.loads += done.load_work;
 }
 
+void GrainCycle::kick_undamped(double step, Clock& clock) {
+  const auto timing = clock.stage("motion");
+  pfv::kick(grains, scene.walls, loads, on_wall, {}, step);
+}
+
+void GrainCycle::damp(std::span<const Vec3> bodies_before, std::span<const Velocity> before) {
+  const double share = scene.damping.share;
+  if (share == 0)
+    return;
+  const auto brake = [&](double mass, double old, double& velocity) {
+    const double taken = std::copysign(share * std::abs(velocity - old), old);
+    velocity -= taken;
+    energy.local_damping += mass * taken * 0.5 * (old + velocity);
+  };
+  for (std::size_t i = 0; i < grains.size(); ++i)
+    for (int axis = 0; axis < 3; ++axis) {
+      brake(grains.mass[i], before[i].translation[axis], grains.velocity[i].translation[axis]);
+      brake(grains.inertia(i), before[i].spin[axis], grains.velocity[i].spin[axis]);
+    }
+  for (std::size_t face = 0; face < 6; ++face)
+    if (const auto* loaded = std::get_if<LoadedWall>(&scene.walls.motion[face]))
+      brake(loaded->mass, bodies_before[grains.size() + face][face / 2], grains.wall_velocity[face]);
+}
+
 void GrainCycle::drift(double step, Clock& clock) {
   const auto timing = clock.stage("motion");
   for (const Face face : all_faces)

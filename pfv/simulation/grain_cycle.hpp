@@ -52,6 +52,11 @@ public:
   void load(double step, Clock& clock);
   void kick(double step, Clock& clock);
   void drift(double step, Clock& clock);
+  /// The kick where a fluid is still to push: damping and the work of loads come after it.
+  void kick_undamped(double step, Clock& clock);
+  /// Local damping of all that has changed the velocities since they were `before`: where a fluid carries part of the
+  /// load, a brake in proportion to the rest of the forces would hold back even what creeps.
+  void damp(std::span<const Vec3> bodies_before, std::span<const Velocity> before);
   /// All three: a step of grains alone.
   void advance(double step, Clock& clock);
 

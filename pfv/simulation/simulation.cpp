@@ -90,31 +90,27 @@ void Simulation::advance() {
 
 void Simulation::advance_with_fluid() {
   fluid_->follow(cycle_.grains.packing, clock_);
+  const auto start = cycle_.grains.velocity;
   const auto before = body_velocities();
-  cycle_.kick(step_, clock_);
-  const auto kicked = body_velocities();
-  fluid_force_ = std::holds_alternative<SemiImplicit>(scene_.scheme) ? fluid_->forces(kicked, per_mass_, step_, clock_)
-                                                                     : fluid_->forces(before, {}, step_, clock_);
+  cycle_.kick_undamped(step_, clock_);
+  fluid_force_ = std::holds_alternative<SemiImplicit>(scene_.scheme)
+                     ? fluid_->forces(body_velocities(), per_mass_, step_, clock_)
+                     : fluid_->forces(before, {}, step_, clock_);
   const auto timing = clock_.stage("motion");
-  auto& energy = cycle_.energy;
-  for (std::size_t k = 0; k < kicked.size(); ++k) {
-    const Vec3 gained = step_ * per_mass_[k] * fluid_force_[k];
-    if (k < cycle_.grains.size()) {
-      cycle_.grains.velocity[k].translation += gained;
-    } else {
-      const std::size_t face = k - cycle_.grains.size();
-      cycle_.grains.wall_velocity[face] += gained[face / 2];
-    }
-    energy.fluid -= step_ * fluid_force_[k].dot(0.5 * (before[k] + kicked[k] + gained));
-    // The kick has counted its work with velocities to which the fluid had not yet added.
-    if (per_mass_[k] > 0) {
-      const Vec3 pushed = (kicked[k] - before[k]) / (step_ * per_mass_[k]);
-      const Vec3 load = k < cycle_.grains.size() ? cycle_.loads[k].force : pushed;
-      energy.local_damping += 0.5 * step_ * gained.dot(load - pushed);
-      if (k >= cycle_.grains.size())
-        energy.loads += 0.5 * gained.dot(load_on_wall(cycle_, k - cycle_.grains.size())) * step_;
-    }
+  Grains& grains = cycle_.grains;
+  for (std::size_t i = 0; i < grains.size(); ++i)
+    grains.velocity[i].translation += step_ * per_mass_[i] * fluid_force_[i];
+  for (std::size_t face = 0; face < 6; ++face) {
+    const std::size_t k = grains.size() + face;
+    grains.wall_velocity[face] += step_ * per_mass_[k] * fluid_force_[k][face / 2];
   }
+  cycle_.damp(before, start);
+  const auto after = body_velocities();
+  for (std::size_t k = 0; k < after.size(); ++k)
+    cycle_.energy.fluid -= step_ * fluid_force_[k].dot(0.5 * (before[k] + after[k]));
+  for (std::size_t face = 0; face < 6; ++face)
+    cycle_.energy.loads +=
+        step_ * load_on_wall(cycle_, face).dot(0.5 * (before[grains.size() + face] + after[grains.size() + face]));
 }
 
 void Simulation::check_stability() {
