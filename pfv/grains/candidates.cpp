@@ -1,67 +1,12 @@
 #include "pfv/grains/candidates.hpp"
 
+#include "pfv/grains/cells.hpp"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace pfv {
 namespace {
-
-/// The grains of one class of sizes, sorted into cells as wide as the largest pair of them and the margin.
-class Cells {
-public:
-  Cells(const Grains& grains, const std::vector<int>& members, double width) {
-    const Box& box = grains.packing.box;
-    lower_ = box.lower;
-    const double most = std::cbrt(8.0 * static_cast<double>(members.size()) + 64);
-    for (int axis = 0; axis < 3; ++axis) {
-      const double length = box.upper[axis] - box.lower[axis];
-      count_[axis] = static_cast<int>(std::clamp(std::floor(length / width), 1.0, most));
-      per_length_[axis] = count_[axis] / length;
-    }
-    start_.assign(static_cast<std::size_t>(count_[0]) * count_[1] * count_[2] + 1, 0);
-    std::vector<int> cell;
-    cell.reserve(members.size());
-    for (const int i : members) {
-      const auto c = cell_of(grains.sphere(i).centre);
-      cell.push_back(number(c[0], c[1], c[2]));
-      ++start_[cell.back() + 1];
-    }
-    for (std::size_t c = 1; c < start_.size(); ++c)
-      start_[c] += start_[c - 1];
-    members_.resize(members.size());
-    std::vector<int> next(start_.begin(), start_.end() - 1);
-    for (std::size_t m = 0; m < members.size(); ++m)
-      members_[next[cell[m]]++] = members[m];
-  }
-
-  /// Hands every member that may lie within `reach` of the point to `visit`.
-  template <class Visit>
-  void visit_around(const Vec3& point, double reach, const Visit& visit) const {
-    const auto from = cell_of(point - Vec3::Constant(reach)), to = cell_of(point + Vec3::Constant(reach));
-    for (int x = from[0]; x <= to[0]; ++x)
-      for (int y = from[1]; y <= to[1]; ++y) {
-        const int last = start_[number(x, y, to[2]) + 1];
-        for (int m = start_[number(x, y, from[2])]; m < last; ++m)
-          visit(members_[m]);
-      }
-  }
-
-private:
-  std::array<int, 3> cell_of(const Vec3& point) const {
-    std::array<int, 3> cell;
-    for (int axis = 0; axis < 3; ++axis)
-      cell[axis] =
-          static_cast<int>(std::clamp((point[axis] - lower_[axis]) * per_length_[axis], 0.0, count_[axis] - 1.0));
-    return cell;
-  }
-  int number(int x, int y, int z) const { return (x * count_[1] + y) * count_[2] + z; }
-
-  Vec3 lower_;
-  std::array<int, 3> count_{};
-  Vec3 per_length_;
-  std::vector<int> start_, members_;
-};
 
 struct SizeClass {
   double largest; // m, radius
@@ -120,7 +65,7 @@ CandidatePairs candidate_pairs(const Grains& grains, double margin, const Candid
           return;
         const Sphere& b = grains.sphere(j);
         const double reach = a.radius + b.radius + margin;
-        if ((b.centre - a.centre).squaredNorm() < reach * reach)
+        if ((b.centre + image_offset(grains, a.centre, b.centre) - a.centre).squaredNorm() < reach * reach)
           pairs.other.push_back(j);
       });
     if (has_history)
@@ -131,6 +76,10 @@ CandidatePairs candidate_pairs(const Grains& grains, double margin, const Candid
     std::sort(pairs.other.begin() + first, pairs.other.end());
     pairs.start.push_back(static_cast<int>(pairs.other.size()));
   }
+  if (grains.is_periodic())
+    for (std::size_t i = 0; i < grains.size(); ++i)
+      for (int e = pairs.start[i]; e < pairs.start[i + 1]; ++e)
+        pairs.image.push_back(image_offset(grains, grains.sphere(i).centre, grains.sphere(pairs.other[e]).centre));
   pairs.shear.assign(pairs.other.size(), Vec3::Zero());
   pairs.bond.assign(pairs.other.size(), Bond::none);
   if (has_history)
@@ -143,6 +92,8 @@ CandidateWalls candidate_walls(const Grains& grains, double margin, const Candid
   CandidateWalls walls;
   for (const Face face : all_faces) {
     const int axis = index(axis_of(face));
+    if (grains.periodic[axis])
+      continue;
     const double wall = is_upper(face) ? grains.packing.box.upper[axis] : grains.packing.box.lower[axis];
     const auto& old = before.of_face[index(face)];
     auto known = old.begin();

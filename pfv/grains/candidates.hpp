@@ -15,9 +15,16 @@ enum class Bond : std::uint8_t { none, touching, cemented };
 struct CandidatePairs {
   std::vector<int> start;
   std::vector<int> other;
+  std::vector<Vec3> image; // m, from the other to its image next to grain i; empty unless the box is periodic
   std::vector<Vec3> shear; // N, of the tangential spring, on the first
   std::vector<Bond> bond;
 };
+
+/// From grain i to the other of its pair e, or its image (m).
+inline Vec3 apart(const CandidatePairs& pairs, int e, const Sphere& of_i, const Sphere& other) {
+  const Vec3 between = other.centre - of_i.centre;
+  return pairs.image.empty() ? between : between + pairs.image[e];
+}
 
 /// Grains that may touch a wall, by wall.
 struct CandidateWalls {

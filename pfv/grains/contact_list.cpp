@@ -51,9 +51,10 @@ std::vector<Contact> contact_list(const Grains& grains, const Contacts& contacts
   for (std::size_t i = 0; i < grains.size(); ++i)
     for (int e = pairs.start[i]; e < pairs.start[i + 1]; ++e) {
       const Sphere &a = grains.sphere(i), &b = grains.sphere(pairs.other[e]);
-      const double distance = (b.centre - a.centre).norm(), reach = a.radius + b.radius;
+      const Vec3 between = apart(pairs, e, a, b);
+      const double distance = between.norm(), reach = a.radius + b.radius;
       if (distance < reach || pairs.bond[e] == Bond::cemented)
-        list.push_back({static_cast<int>(i), pairs.other[e], (b.centre - a.centre) / distance, reach - distance,
+        list.push_back({static_cast<int>(i), pairs.other[e], between / distance, reach - distance,
                         a.radius * b.radius / reach, pairs.shear[e], pairs.bond[e] == Bond::cemented});
     }
   for (const Face face : all_faces) {

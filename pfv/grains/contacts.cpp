@@ -24,7 +24,7 @@ std::array<double, 6> wall_positions(const Box& box) {
   return position;
 }
 
-template <class Law, class Bonds>
+template <bool periodic, class Law, class Bonds>
 void add_pair_forces(const Law& law, const Bonds& bonds, const Grains& grains, double step, CandidatePairs& pairs,
                      std::vector<Load>& loads, ContactLosses& losses) {
   const bool damped = law.friction.damping > 0;
@@ -35,7 +35,9 @@ void add_pair_forces(const Law& law, const Bonds& bonds, const Grains& grains, d
     for (int e = pairs.start[i]; e < pairs.start[i + 1]; ++e) {
       const int j = pairs.other[e];
       const Sphere& b = grains.sphere(j);
-      const Vec3 apart = b.centre - a.centre;
+      Vec3 apart = b.centre - a.centre;
+      if constexpr (periodic)
+        apart += pairs.image[e];
       const double square = apart.squaredNorm(), reach = a.radius + b.radius;
       Bond& bond = pairs.bond[e];
       if (square >= reach * reach && !Bonds::holds(bond)) {
@@ -115,7 +117,7 @@ Contacts::Contacts(const ContactLaw& law, double wall_friction, const std::optio
   for (std::size_t i = 0; i < grains.size(); ++i)
     for (int e = memory_.pairs.start[i]; e < memory_.pairs.start[i + 1]; ++e) {
       const Sphere &a = grains.sphere(i), &b = grains.sphere(memory_.pairs.other[e]);
-      if ((b.centre - a.centre).norm() <= a.radius + b.radius)
+      if (apart(memory_.pairs, e, a, b).norm() <= a.radius + b.radius)
         memory_.pairs.bond[e] = Bond::cemented;
     }
 }
@@ -126,10 +128,16 @@ ContactLosses Contacts::add_forces(const Grains& grains, double step, std::vecto
   ContactLosses losses;
   std::visit(
       [&](const auto& law) {
+        const auto add = [&](const auto& bonds) {
+          if (grains.is_periodic())
+            add_pair_forces<true>(law, bonds, grains, step, memory_.pairs, loads, losses);
+          else
+            add_pair_forces<false>(law, bonds, grains, step, memory_.pairs, loads, losses);
+        };
         if (cohesion_)
-          add_pair_forces(law, Cement{*cohesion_}, grains, step, memory_.pairs, loads, losses);
+          add(Cement{*cohesion_});
         else
-          add_pair_forces(law, NoBonds{}, grains, step, memory_.pairs, loads, losses);
+          add(NoBonds{});
         add_wall_forces(law, wall_friction_, grains, step, memory_.at_walls, loads, on_wall, losses);
       },
       law_);

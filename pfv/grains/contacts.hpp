@@ -38,6 +38,11 @@ public:
   void restore(Memory memory) { memory_ = std::move(memory); }
 
   const ContactLaw& law() const { return law_; }
+  /// Another law from now on; springs and bonds stay as they are.
+  void set_law(const ContactLaw& law, double wall_friction) {
+    law_ = law;
+    wall_friction_ = wall_friction;
+  }
 
 private:
   void renew_if_moved(const Grains& grains, double step);

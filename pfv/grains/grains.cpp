@@ -1,11 +1,34 @@
 #include "pfv/grains/grains.hpp"
 
 #include "pfv/pores/sites.hpp"
+#include "pfv/problem/error.hpp"
+#include "pfv/problem/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
 
 namespace pfv {
 
-Grains grains_of(const Packing& packing, double density) {
+namespace {
+
+void require_wide(const Packing& packing, const PeriodicAxes& periodic) {
+  double largest = 0;
+  for (const Sphere& sphere : packing.spheres)
+    largest = std::max(largest, sphere.radius);
+  for (int axis = 0; axis < 3; ++axis)
+    if (const double width = packing.box.size()[axis]; periodic[axis] && width < 4.4 * largest)
+      throw InputError(fmt::format("the box \"{}\" along its periodic axis {} must be at least 2.2 diameters of the "
+                                   "largest grain wide, \"{}\"",
+                                   shortest(width), axis_names[axis], shortest(4.4 * largest)));
+}
+
+} // namespace
+
+Grains grains_of(const Packing& packing, double density, const PeriodicAxes& periodic) {
+  require_wide(packing, periodic);
   Grains grains;
+  grains.periodic = periodic;
   Sites sites = sites_of(packing);
   grains.packing = {packing.box, std::move(sites.spheres)};
   grains.number = std::move(sites.number);
@@ -16,10 +39,35 @@ Grains grains_of(const Packing& packing, double density) {
   return grains;
 }
 
+Vec3 image_offset(const Grains& grains, const Vec3& place, const Vec3& other) {
+  Vec3 offset = Vec3::Zero();
+  for (int axis = 0; axis < 3; ++axis)
+    if (grains.periodic[axis]) {
+      const double size = grains.packing.box.upper[axis] - grains.packing.box.lower[axis];
+      offset[axis] = size * std::round((place[axis] - other[axis]) / size);
+    }
+  return offset;
+}
+
+Vec3 offset_into_box(const Box& box, const PeriodicAxes& periodic, const Vec3& place) {
+  Vec3 offset = Vec3::Zero();
+  for (int axis = 0; axis < 3; ++axis)
+    if (periodic[axis]) {
+      const double size = box.upper[axis] - box.lower[axis];
+      offset[axis] = -size * std::floor((place[axis] - box.lower[axis]) / size);
+      if (place[axis] + offset[axis] >= box.upper[axis]) // rounded up
+        offset[axis] -= size;
+    }
+  return offset;
+}
+
 Packing packing_of(const Grains& grains) {
   Packing packing = grains.packing;
-  for (std::size_t i = 0; i < grains.size(); ++i)
-    packing.spheres[grains.number[i]] = grains.sphere(i);
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    Sphere sphere = grains.sphere(i);
+    sphere.centre += offset_into_box(grains.packing.box, grains.periodic, sphere.centre);
+    packing.spheres[grains.number[i]] = sphere;
+  }
   return packing;
 }
 

@@ -33,6 +33,7 @@ using WallMotion = std::variant<FixedWall, MovingWall, LoadedWall>;
 
 struct Walls {
   std::array<WallMotion, 6> motion; // by index(Face)
+  PeriodicAxes periodic{};          // along these the box repeats: no walls, and none that moves
   double friction = 0;              // between grains and walls
 
   bool operator==(const Walls&) const = default;

@@ -16,16 +16,6 @@ Axis as_axis(const toml::node& node, std::string_view name) {
   return located(node, [&] { return axis_named(text); });
 }
 
-PeriodicAxes as_periodic_axes(const toml::node& node) {
-  const auto* list = node.as_array();
-  if (!list)
-    fail_at(node, fmt::format("periodic \"{}\" must be a list of axes, [\"x\", \"y\", \"z\"] or fewer", quote(node)));
-  PeriodicAxes periodic{};
-  for (const toml::node& name : *list)
-    periodic[index(as_axis(name, "periodic"))] = true;
-  return periodic;
-}
-
 Tangential as_tangential(const toml::node& node) {
   const std::string text = as_text(node, "tangential");
   if (text == tangential_names[0])
@@ -77,6 +67,16 @@ FaceCondition read_face(const toml::node& node, std::string_view name) {
 }
 
 } // namespace
+
+PeriodicAxes as_periodic_axes(const toml::node& node) {
+  const auto* list = node.as_array();
+  if (!list)
+    fail_at(node, fmt::format("periodic \"{}\" must be a list of axes, [\"x\", \"y\", \"z\"] or fewer", quote(node)));
+  PeriodicAxes periodic{};
+  for (const toml::node& name : *list)
+    periodic[index(as_axis(name, "periodic"))] = true;
+  return periodic;
+}
 
 FlowAlong read_flow(const toml::table& table) {
   allow_keys(table, "[flow]", {"axis", "pressure_drop", "periodic", "tangential"});

@@ -19,7 +19,8 @@ struct FlowAlong {
 /// What a case says of its faces, in [flow] or in [faces].
 using FaceInput = std::variant<FlowAlong, FaceConditions>;
 
-/// All three throw InputError with file and line.
+/// All of these throw InputError with file and line.
+PeriodicAxes as_periodic_axes(const toml::node& node);
 FlowAlong read_flow(const toml::table& table);
 FaceConditions read_faces(const toml::table& table);
 std::vector<PressurePoint> read_pressure_points(const toml::node& node, const Box& box);

@@ -9,22 +9,40 @@
 
 namespace pfv {
 
+namespace {
+
+/// N, of weight and buoyancy; empty without either.
+std::vector<Vec3> weights(const Grains& grains, const GrainScene& scene) {
+  std::vector<Vec3> weight;
+  if (!scene.gravity && !scene.buoyancy)
+    return weight;
+  weight.assign(grains.size(), Vec3::Zero());
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    if (scene.gravity)
+      weight[i] += grains.mass[i] * scene.gravity->acceleration;
+    if (scene.buoyancy)
+      weight[i] -= scene.buoyancy->fluid_density * volume(grains.sphere(i)) * scene.buoyancy->gravity;
+  }
+  return weight;
+}
+
+} // namespace
+
 GrainCycle::GrainCycle(const Packing& packing, const GrainScene& of_scene)
-    : grains(grains_of(packing, of_scene.density)),
-      contacts(of_scene.law, of_scene.walls.friction, of_scene.cohesion, grains), scene(of_scene),
-      loads(grains.size()) {
-  if (scene.gravity || scene.buoyancy)
-    for (std::size_t i = 0; i < grains.size(); ++i) {
-      Vec3 force = Vec3::Zero();
-      if (scene.gravity)
-        force += grains.mass[i] * scene.gravity->acceleration;
-      if (scene.buoyancy)
-        force -= scene.buoyancy->fluid_density * volume(grains.sphere(i)) * scene.buoyancy->gravity;
-      weight.push_back(force);
-    }
-  for (const Face face : all_faces)
-    if (const auto* moving = std::get_if<MovingWall>(&scene.walls.motion[index(face)]))
-      grains.wall_velocity[index(face)] = moving->velocity;
+    : grains(grains_of(packing, of_scene.density, of_scene.walls.periodic)),
+      contacts(of_scene.law, of_scene.walls.friction, of_scene.cohesion, grains), loads(grains.size()) {
+  set_scene(of_scene);
+}
+
+void GrainCycle::set_scene(const GrainScene& next) {
+  scene = next;
+  contacts.set_law(scene.law, scene.walls.friction);
+  weight = weights(grains, scene);
+  for (const Face face : all_faces) {
+    const auto* moving = std::get_if<MovingWall>(&scene.walls.motion[index(face)]);
+    if (moving || std::holds_alternative<FixedWall>(scene.walls.motion[index(face)]))
+      grains.wall_velocity[index(face)] = moving ? moving->velocity : 0;
+  }
 }
 
 void GrainCycle::load(double step, Clock& clock) {

@@ -49,6 +49,10 @@ class GrainCycle {
 public:
   GrainCycle(const Packing& packing, const GrainScene& scene);
 
+  /// Other laws, walls and loads from now on, for the same grains of the same density: a preparation's friction, say,
+  /// makes way for that of the test. Contacts keep their springs; time and energies count on.
+  void set_scene(const GrainScene& scene);
+
   void load(double step, Clock& clock);
   void kick(double step, Clock& clock);
   void drift(double step, Clock& clock);

@@ -1,6 +1,8 @@
 #include "pfv/simulation/pore_fluid.hpp"
 
+#include "pfv/grains/grains.hpp"
 #include "pfv/problem/error.hpp"
+#include "pfv/problem/text.hpp"
 #include "pfv/problem/validate.hpp"
 #include "pfv/simulation/carry_over.hpp"
 #include "pfv/solvers/multigrid_solver.hpp"
@@ -30,9 +32,13 @@ std::vector<Vec3> centres(const Packing& packing) {
 PoreFluid::PoreFluid(const FluidScene& scene, const Packing& packing, Clock& clock)
     : scene_(scene), preconditioner_(make_v_cycle()) {
   validate_level(scene.faces, scene.pressure_points);
-  for (const auto& condition : scene.faces)
-    if (std::holds_alternative<Periodic>(condition) || std::holds_alternative<Flux>(condition))
-      throw InputError("a face of a box whose grains move must be slip or at a pressure");
+  for (const auto& condition : scene.faces) {
+    if (std::holds_alternative<Flux>(condition))
+      throw InputError("a face of a box whose grains move must be slip, periodic or at a pressure, not at a flux");
+    if (const auto* repeats = std::get_if<Periodic>(&condition); repeats && repeats->gradient != 0)
+      throw InputError(fmt::format("the gradient \"{}\" along a periodic axis of a box whose grains move must be 0",
+                                   shortest(repeats->gradient)));
+  }
   for (const Sphere& sphere : packing.spheres)
     mean_radius_ += sphere.radius / static_cast<double>(packing.spheres.size());
   build(packing, clock);
@@ -45,7 +51,12 @@ PoreFluid::PoreFluid(const FluidScene& scene, const Packing& packing, Clock& clo
 PoreFluid::~PoreFluid() = default;
 
 void PoreFluid::build(const Packing& packing, Clock& clock) {
-  network_ = build_pore_network(packing, {}, clock);
+  const PeriodicAxes periodic = periodic_axes(scene_.faces);
+  into_box_.clear();
+  if (periodic != PeriodicAxes{})
+    for (const Sphere& sphere : packing.spheres)
+      into_box_.push_back(offset_into_box(packing.box, periodic, sphere.centre));
+  network_ = build_pore_network(in_box(packing), periodic, clock);
   {
     const auto timing = clock.stage("conductances");
     throats_ = conductances(network_, scene_.options.conductance, scene_.options.walls, scene_.fluid.viscosity);
@@ -53,6 +64,13 @@ void PoreFluid::build(const Packing& packing, Clock& clock) {
   assemble_and_factor(clock);
   triangulated_at_ = refreshed_at_ = centres(packing);
   refreshed_box_ = packing.box;
+}
+
+Packing PoreFluid::in_box(const Packing& packing) const {
+  Packing inside = packing;
+  for (std::size_t k = 0; k < into_box_.size(); ++k)
+    inside.spheres[k].centre += into_box_[k];
+  return inside;
 }
 
 void PoreFluid::assemble_and_factor(Clock& clock) {
@@ -89,7 +107,10 @@ void PoreFluid::follow(const Packing& packing, Clock& clock) {
     return;
   bool anew = moved(triangulated_at_, packing) > scene_.rebuild_drift * mean_radius_;
   if (!anew) {
-    pfv::follow(network_, packing, clock);
+    if (into_box_.empty())
+      pfv::follow(network_, packing, clock);
+    else
+      pfv::follow(network_, in_box(packing), clock);
     anew = network_.inverted_throats > 0;
   }
   if (anew) {

@@ -42,7 +42,7 @@ public:
   PoreFluid(const FluidScene& scene, const Packing& packing, Clock& clock);
   ~PoreFluid();
 
-  /// Renews the pores if grains have moved; nothing otherwise.
+  /// Renews the pores if grains have moved; nothing otherwise. Along periodic axes grains may have left the box.
   void follow(const Packing& packing, Clock& clock);
 
   /// Forces (N) on all bodies. Explicit when `per_mass` is empty: A p = - B v with the velocities (m/s) as they are.
@@ -65,6 +65,7 @@ public:
 
 private:
   void build(const Packing& packing, Clock& clock);
+  Packing in_box(const Packing& packing) const;
   void assemble_and_factor(Clock& clock);
   void factor();
   void set_storage(double step);
@@ -86,6 +87,7 @@ private:
   Eigen::VectorXd solution_, before_; // now and one step ago
   Eigen::VectorXd mode_;              // of the largest rate
   std::vector<Vec3> triangulated_at_, refreshed_at_;
+  std::vector<Vec3> into_box_; // m, from where a grain was when triangulated to its image in the box; empty if not periodic
   Box refreshed_box_;
   double mean_radius_ = 0;
   std::vector<double> rate_, of_pores_;

@@ -81,13 +81,23 @@ WallMotion read_wall(const toml::node& node, std::string_view name, double mass_
                             quote(node)));
 }
 
+PeriodicAxes periodic_of(const toml::table& walls) {
+  const toml::node* node = walls.get("periodic");
+  return node ? as_periodic_axes(*node) : PeriodicAxes{};
+}
+
 Walls read_walls(const toml::table& table, double mass_of_grains) {
-  allow_keys(table, "[walls]", {"friction", "x_min", "x_max", "y_min", "y_max", "z_min", "z_max"});
+  allow_keys(table, "[walls]", {"friction", "periodic", "x_min", "x_max", "y_min", "y_max", "z_min", "z_max"});
   Walls walls;
   walls.friction = number(table, "friction", 0, 0);
+  walls.periodic = periodic_of(table);
   for (const Face face : all_faces)
-    if (const toml::node* node = table.get(face_names[index(face)]))
+    if (const toml::node* node = table.get(face_names[index(face)])) {
+      if (walls.periodic[index(axis_of(face))])
+        fail_at(*node, fmt::format("{} \"{}\" cannot be: along a periodic axis there are no walls",
+                                   face_names[index(face)], quote(*node)));
       walls.motion[index(face)] = read_wall(*node, face_names[index(face)], mass_of_grains);
+    }
   return walls;
 }
 
@@ -122,8 +132,32 @@ GrainScene read_grains(const toml::table& root, const Packing& packing) {
   return grains;
 }
 
+/// The faces of the fluid, periodic where the grains have no walls.
+FaceConditions read_fluid_faces(const toml::table* flow, const toml::table* faces, const Box& box,
+                                const PeriodicAxes& periodic) {
+  const toml::table& named = flow ? *flow : *faces;
+  const FaceInput input = flow ? read_flow(*flow) : FaceInput(read_faces(*faces));
+  if (const auto* along = std::get_if<FlowAlong>(&input)) {
+    if (along->periodic != PeriodicAxes{} && along->periodic != periodic)
+      fail_at(*named.get("periodic"), "periodic of [flow] must be that of [walls], or left out");
+    return flow_along(along->axis, along->pressure_drop, periodic, box, along->tangential);
+  }
+  FaceConditions conditions = std::get<FaceConditions>(input);
+  for (const Face face : all_faces) {
+    const toml::node* node = named.get(face_names[index(face)]);
+    const bool repeats = periodic[index(axis_of(face))];
+    if (node && std::holds_alternative<Periodic>(conditions[index(face)]) != repeats)
+      fail_at(*node, fmt::format("{} \"{}\" {}", face_names[index(face)], quote(*node),
+                                 repeats ? "must be \"periodic\" or left out, as its axis is periodic in [walls]"
+                                         : "needs periodic in [walls] to name its axis"));
+    if (repeats && !node)
+      conditions[index(face)] = Periodic{};
+  }
+  return conditions;
+}
+
 std::optional<FluidScene> read_fluid_scene(const std::filesystem::path& file, const toml::table& root,
-                                           const Packing& packing) {
+                                           const Packing& packing, const PeriodicAxes& periodic) {
   const auto *flow = part(root, "flow"), *faces = part(root, "faces");
   if (flow && faces)
     fail_at(*faces, "a scene has at most one of [flow] and [faces]");
@@ -135,11 +169,7 @@ std::optional<FluidScene> read_fluid_scene(const std::filesystem::path& file, co
   }
   FluidScene fluid;
   fluid.fluid = read_fluid(root);
-  const FaceInput input = flow ? read_flow(*flow) : FaceInput(read_faces(*faces));
-  if (const auto* along = std::get_if<FlowAlong>(&input))
-    fluid.faces = flow_along(along->axis, along->pressure_drop, along->periodic, packing.box, along->tangential);
-  else
-    fluid.faces = std::get<FaceConditions>(input);
+  fluid.faces = read_fluid_faces(flow, faces, packing.box, periodic);
   if (const toml::node* points = root.get("pressure_points"))
     fluid.pressure_points = read_pressure_points(*points, packing.box);
   fluid.options = read_flow_options(file, {});
@@ -183,9 +213,11 @@ SceneFile read_scene(const std::filesystem::path& file) {
   scene.name = file.stem().string();
   if (const toml::node* name = root.get("name"))
     scene.name = as_text(*name, "name");
-  scene.packing = read_packing(root, file.parent_path(), {});
+  const auto* walls = part(root, "walls");
+  const PeriodicAxes periodic = walls ? periodic_of(*walls) : PeriodicAxes{};
+  scene.packing = read_packing(root, file.parent_path(), periodic);
   scene.grains = read_grains(root, scene.packing);
-  scene.fluid = read_fluid_scene(file, root, scene.packing);
+  scene.fluid = read_fluid_scene(file, root, scene.packing, periodic);
   if (const auto* table = part(root, "run"))
     read.duration = read_run(*table, scene);
   return read;

@@ -32,6 +32,11 @@ Vec3 load_on_wall(const GrainCycle& cycle, std::size_t face) {
   return -loaded->stress * area * outward_normal(static_cast<Face>(face));
 }
 
+void require_fluid_to_repeat_with_grains(const Scene& scene) {
+  if (scene.fluid && periodic_axes(scene.fluid->faces) != scene.grains.walls.periodic)
+    throw InputError("grains and fluid must be periodic along the same axes");
+}
+
 } // namespace
 
 double StepLimits::both() const {
@@ -48,8 +53,12 @@ double StepLimits::chosen() const {
   return safe.both();
 }
 
-Simulation::Simulation(const Scene& scene) : scene_(scene), cycle_(scene.packing, scene.grains) {
+Simulation::Simulation(const Scene& scene) : Simulation(scene, GrainCycle(scene.packing, scene.grains)) {}
+
+Simulation::Simulation(const Scene& scene, GrainCycle start) : scene_(scene), cycle_(std::move(start)) {
+  cycle_.set_scene(scene.grains);
   scene_.packing.spheres.clear();
+  require_fluid_to_repeat_with_grains(scene);
   if (scene.fluid) {
     fluid_.emplace(*scene.fluid, cycle_.grains.packing, clock_);
     per_mass_ = per_mass(cycle_);

@@ -50,6 +50,8 @@ struct StepLimits {
 class Simulation {
 public:
   explicit Simulation(const Scene& scene);
+  /// Goes on from grains as another run left them, springs included; the scene's own packing is not used.
+  Simulation(const Scene& scene, GrainCycle start);
 
   /// One step of `step()` seconds. Throws SolveError naming the limit when the run has left stability.
   void advance();
@@ -57,7 +59,6 @@ public:
   const StepLimits& limits() const { return limits_; }
   double step() const { return step_; }
   const GrainCycle& grains() const { return cycle_; }
-  GrainCycle& grains() { return cycle_; }
   const std::optional<PoreFluid>& fluid() const { return fluid_; }
   const Clock& clock() const { return clock_; }
   std::size_t steps() const { return steps_; }

@@ -26,6 +26,19 @@ SolidFlux without_weights(const PoreNetwork& network) {
   return flux;
 }
 
+/// Which vertex of the pore ahead of throat t is this corner, or in a periodic box the image of it that the pore has.
+int corner_ahead(const PoreNetwork& network, std::size_t t, Vertex corner) {
+  const auto& vertices = network.pores.vertices[network.throats.pores[t][1]];
+  if (network.throats.shift.empty() || is_wall(corner))
+    return corner_of(vertices, corner);
+  const auto& sites = network.sites;
+  const auto is_it = [&](Vertex v) {
+    return !is_wall(v) && sites.number[v] == sites.number[corner] &&
+           sites.shift[v] + network.throats.shift[t] == sites.shift[corner];
+  };
+  return static_cast<int>(std::ranges::find_if(vertices, is_it) - vertices.begin());
+}
+
 /// What the three corners take of the facet: all of it together.
 std::array<double, 3> shares(const PoreNetwork& network, std::size_t t, const ThroatPlane& plane, double wall_share) {
   const auto corners = network.corners(t);
@@ -54,7 +67,7 @@ SolidFlux solid_flux(const PoreNetwork& network, const WallRule& walls) {
     for (int c = 0; c < 3; ++c) {
       const Vec3 area = part[c] * plane.normal;
       flux.weight[i][corner_of(network.pores.vertices[i], corners[c])] += area;
-      flux.weight[j][corner_of(network.pores.vertices[j], corners[c])] -= area;
+      flux.weight[j][corner_ahead(network, t, corners[c])] -= area;
     }
   });
   for (const auto& part : network.wall_parts) {

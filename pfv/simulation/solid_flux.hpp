@@ -27,7 +27,7 @@ struct SolidFlux {
   std::size_t pores() const { return body.size(); }
 };
 
-/// From a network without periodic axes.
+/// Images of a sphere are that sphere.
 SolidFlux solid_flux(const PoreNetwork& network, const WallRule& walls);
 
 /// m^3/s by pore: what the solid carries out of it when the bodies move at these velocities (m/s).
