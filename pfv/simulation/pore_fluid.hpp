@@ -31,6 +31,15 @@ struct FluidScene {
   double rebuild_drift = 0.05;  // and before they are triangulated anew
 };
 
+/// What a fluid remembers of what has been, in pores that are triangulated anew.
+struct FluidState {
+  struct Counts {
+    std::size_t refreshed, rebuilt, iterations, solves;
+  };
+  std::vector<double> above_level; // Pa, the unknown pressures
+  Counts counts{};
+};
+
 /// The fluid between grains that move: continuity in every pore, A p = - B v, as of eq. (10) of Catalano et al. 2011
 /// with SolidFlux for the rates of volume, and the forces B^T p.
 ///
@@ -44,6 +53,13 @@ public:
 
   /// Renews the pores if grains have moved; nothing otherwise. Along periodic axes grains may have left the box.
   void follow(const Packing& packing, Clock& clock);
+
+  /// Triangulates anew, as `follow` does when grains have moved far: the pores then depend on nothing but where grains
+  /// are, so a fluid made there and given the state goes on alike.
+  void renew(const Packing& packing, Clock& clock);
+  FluidState state() const;
+  /// Throws InputError when the state is of other pores.
+  void restore(const FluidState& state);
 
   /// Forces (N) on all bodies. Explicit when `per_mass` is empty: A p = - B v with the velocities (m/s) as they are.
   /// Semi-implicit otherwise: p such that the velocities after the step, v + step F / mass, satisfy it, which is
@@ -65,6 +81,7 @@ public:
 
 private:
   void build(const Packing& packing, Clock& clock);
+  void start_from_solution();
   Packing in_box(const Packing& packing) const;
   void assemble_and_factor(Clock& clock);
   void factor();
@@ -87,7 +104,8 @@ private:
   Eigen::VectorXd solution_, before_; // now and one step ago
   Eigen::VectorXd mode_;              // of the largest rate
   std::vector<Vec3> triangulated_at_, refreshed_at_;
-  std::vector<Vec3> into_box_; // m, from where a grain was when triangulated to its image in the box; empty if not periodic
+  std::vector<Vec3>
+      into_box_; // m, from where a grain was when triangulated to its image in the box; empty if not periodic
   Box refreshed_box_;
   double mean_radius_ = 0;
   std::vector<double> rate_, of_pores_;
