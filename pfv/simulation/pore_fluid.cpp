@@ -14,10 +14,19 @@
 namespace pfv {
 namespace {
 
-double moved(const std::vector<Vec3>& from, const Packing& packing) {
+/// m, the farthest that a grain has moved; along periodic axes against the mean of all, as moving together changes
+/// nothing.
+double moved(const std::vector<Vec3>& from, const Packing& packing, const PeriodicAxes& periodic) {
+  Vec3 together = Vec3::Zero();
+  if (periodic != PeriodicAxes{}) {
+    for (std::size_t k = 0; k < from.size(); ++k)
+      together += (packing.spheres[k].centre - from[k]) / static_cast<double>(from.size());
+    for (int axis = 0; axis < 3; ++axis)
+      together[axis] *= periodic[axis] ? 1 : 0;
+  }
   double square = 0;
   for (std::size_t k = 0; k < from.size(); ++k)
-    square = std::max(square, (packing.spheres[k].centre - from[k]).squaredNorm());
+    square = std::max(square, (packing.spheres[k].centre - from[k] - together).squaredNorm());
   return std::sqrt(square);
 }
 
@@ -101,12 +110,13 @@ void PoreFluid::set_storage(double step) {
 }
 
 void PoreFluid::follow(const Packing& packing, Clock& clock) {
-  double drift = moved(refreshed_at_, packing);
+  const PeriodicAxes periodic = periodic_axes(scene_.faces);
+  double drift = moved(refreshed_at_, packing, periodic);
   drift = std::max(drift, (packing.box.lower - refreshed_box_.lower).cwiseAbs().maxCoeff());
   drift = std::max(drift, (packing.box.upper - refreshed_box_.upper).cwiseAbs().maxCoeff());
   if (drift <= scene_.refresh_drift * mean_radius_)
     return;
-  bool anew = moved(triangulated_at_, packing) > scene_.rebuild_drift * mean_radius_;
+  bool anew = moved(triangulated_at_, packing, periodic) > scene_.rebuild_drift * mean_radius_;
   if (!anew) {
     if (into_box_.empty())
       pfv::follow(network_, packing, clock);

@@ -3,6 +3,7 @@
 
 #include "pfv/problem/error.hpp"
 #include "reference/method.hpp"
+#include "studies/motion/experiment.hpp"
 #include "studies/runner/study_file.hpp"
 #include "studies/runner/table.hpp"
 
@@ -22,6 +23,8 @@ void add_list(CLI::App& app) {
         table.rows.push_back({name, "", fmt::format("cannot be read: {}", error.what())});
       }
     }
+    for (const Experiment& experiment : experiments())
+      table.rows.push_back({std::string(experiment.name), "", std::string(experiment.title)});
     fmt::print("{}", to_plain(table));
   });
 }

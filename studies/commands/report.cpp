@@ -1,5 +1,6 @@
 #include "studies/commands/commands.hpp"
 #include "studies/commands/conclude.hpp"
+#include "studies/commands/experiment.hpp"
 #include "studies/commands/study_place.hpp"
 
 #include "pfv/problem/error.hpp"
@@ -25,6 +26,10 @@ struct ReportOptions {
 };
 
 void report_command(ReportOptions options) {
+  if (const Experiment* experiment = experiment_named(options.name)) {
+    report_experiment(*experiment, options.publish, options.work.root);
+    return;
+  }
   const std::filesystem::path file = study_file(options.name);
   const Study study = read_study(file);
   if (options.work.root.empty())

@@ -1,5 +1,6 @@
 #include "studies/commands/commands.hpp"
 #include "studies/commands/conclude.hpp"
+#include "studies/commands/experiment.hpp"
 #include "studies/commands/study_place.hpp"
 
 #include "studies/runner/progress.hpp"
@@ -28,6 +29,8 @@ struct RunOptions {
 };
 
 int run_command(RunOptions options) {
+  if (const Experiment* experiment = experiment_named(options.name))
+    return run_experiment(*experiment, options.scope.quick, options.settings.work.root);
   const std::filesystem::path file = study_file(options.name);
   Study study = read_study(file);
   study.budget.cpu_seconds = options.cpu_budget.value_or(study.budget.cpu_seconds);

@@ -1,0 +1,60 @@
+#include "studies/motion/experiment.hpp"
+
+#include "studies/motion/consolidation.hpp"
+#include "studies/runner/build_info.hpp"
+#include "studies/runner/files.hpp"
+#include "studies/runner/number_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <fmt/format.h>
+
+namespace studies {
+
+std::span<const Experiment> experiments() {
+  static constexpr std::array all{consolidation_experiment};
+  return all;
+}
+
+const Experiment* experiment_named(std::string_view name) {
+  const auto found = std::ranges::find(experiments(), name, &Experiment::name);
+  return found == experiments().end() ? nullptr : &*found;
+}
+
+void write_report(const ExperimentReport& report, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  write_file(folder / "report.md", report.page);
+  for (const auto& [name, text] : report.files)
+    write_file(folder / name, text);
+  for (const auto& [name, text] : report.files)
+    if (name.ends_with(".gp")) {
+      const std::string draw = fmt::format("cd '{}' && gnuplot '{}'", folder.string(), name);
+      if (std::system("command -v gnuplot >/dev/null") != 0)
+        fmt::print(stderr, "not drawn, as there is no gnuplot: {}\n", (folder / name).string());
+      else if (std::system(draw.c_str()) != 0)
+        fmt::print(stderr, "gnuplot could not draw {}\n", (folder / name).string());
+    }
+}
+
+Table cost_table(std::span<const pfv::Stage> stages, std::size_t steps) {
+  Table table{{{"stage"}, {"CPU seconds", true}, {"ms per step", true}}, {}};
+  double all = 0;
+  const auto add = [&](const std::string& name, double cpu) {
+    table.rows.push_back({name, seconds(cpu), seconds(1e3 * cpu / static_cast<double>(steps))});
+  };
+  for (const pfv::Stage& stage : stages) {
+    add(stage.name, stage.cpu_seconds);
+    all += stage.cpu_seconds;
+  }
+  add("all", all);
+  return table;
+}
+
+Table build_table() {
+  const BuildInfo& build = build_info();
+  return {{{"what"}, {"value"}},
+          {{"commit", build.commit}, {"compiler", build.compiler}, {"flags", build.flags}, {"machine", machine()}}};
+}
+
+} // namespace studies
