@@ -37,6 +37,9 @@ void require_same_grains(const Checkpoint& checkpoint, const Scene& scene);
 /// Throws InputError when it cannot be written.
 void write_checkpoint(const std::filesystem::path& file, const Checkpoint& checkpoint);
 
+/// Throws InputError when a checkpoint could not be written to this file.
+void require_writable(const std::filesystem::path& file);
+
 /// Throws InputError, one line that begins with the file, when it is not such a file, or truncated or damaged.
 Checkpoint read_checkpoint(const std::filesystem::path& file);
 

@@ -45,22 +45,28 @@ std::string_view checked(std::string_view text) {
   return bytes;
 }
 
+/// Where a file is written before it takes its name.
+std::filesystem::path half_of(const std::filesystem::path& file) {
+  return fmt::format("{}.{}.half", file.string(), ::getpid());
+}
+
+[[noreturn]] void fail_to_write(const std::filesystem::path& file, int reason) {
+  std::error_code ignored;
+  std::filesystem::remove(half_of(file), ignored);
+  throw InputError(
+      fmt::format("checkpoint \"{}\" cannot be written: {}", file.string(), std::generic_category().message(reason)));
+}
+
 } // namespace
 
 void write_checkpoint(const std::filesystem::path& file, const Checkpoint& checkpoint) {
-  const std::filesystem::path half = fmt::format("{}.{}.half", file.string(), ::getpid());
-  const auto failed = [&](int reason) {
-    std::error_code ignored;
-    std::filesystem::remove(half, ignored);
-    throw InputError(
-        fmt::format("checkpoint \"{}\" cannot be written: {}", file.string(), std::generic_category().message(reason)));
-  };
   const std::string bytes = to_bytes(checkpoint);
+  const auto half = half_of(file);
   errno = 0;
   std::ofstream out(half, std::ios::binary);
   out << beginning << version << ' ' << bytes.size() << ' ' << digest_of(bytes) << '\n' << bytes << std::flush;
   if (!out)
-    failed(errno);
+    fail_to_write(file, errno);
   out.close();
   // Else a power cut could leave the new name with nothing in it.
   if (const int descriptor = ::open(half.c_str(), O_RDONLY | O_CLOEXEC); descriptor >= 0) {
@@ -70,7 +76,17 @@ void write_checkpoint(const std::filesystem::path& file, const Checkpoint& check
   std::error_code error;
   std::filesystem::rename(half, file, error);
   if (error)
-    failed(error.value());
+    fail_to_write(file, error.value());
+}
+
+void require_writable(const std::filesystem::path& file) {
+  const auto half = half_of(file);
+  errno = 0;
+  if (!std::ofstream(half))
+    fail_to_write(file, errno);
+  std::filesystem::remove(half);
+  if (std::filesystem::is_directory(file))
+    fail_to_write(file, EISDIR);
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& file) {
