@@ -109,10 +109,11 @@ Simulation start(const Scene& scene, const std::string& restart_file) {
     return Simulation(scene);
   const Checkpoint checkpoint = read_checkpoint(restart_file);
   try {
-    return Simulation(scene, checkpoint);
+    require_same_grains(checkpoint, scene);
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", restart_file, error.what()));
   }
+  return Simulation(scene, checkpoint);
 }
 
 void advance(Simulation& simulation, const Duration& duration, Saves& saves, std::optional<Output>& history,
