@@ -160,6 +160,15 @@ void PoreFluid::follow(const Packing& packing, Clock& clock) {
   ++refreshed;
 }
 
+void PoreFluid::impose(Face face, double pressure) {
+  auto* open = std::get_if<Pressure>(&scene_.faces[index(face)]);
+  if (!open)
+    throw InputError(fmt::format("{} has no pressure that could be another one", face_names[index(face)]));
+  open->value = pressure;
+  pfv::impose(system_, face, pressure);
+  renew_right_side(system_, network_);
+}
+
 Eigen::VectorXd PoreFluid::to_unknowns(const std::vector<double>& of_pores) const {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(system_.unknowns()));
   for (std::size_t i = 0; i < of_pores.size(); ++i)

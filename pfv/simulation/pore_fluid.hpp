@@ -45,6 +45,9 @@ public:
   /// Renews the pores if grains have moved; nothing otherwise. Along periodic axes grains may have left the box.
   void follow(const Packing& packing, Clock& clock);
 
+  /// Imposes another pressure (Pa) on a face that has one. Throws InputError when it has none.
+  void impose(Face face, double pressure);
+
   /// Forces (N) on all bodies. Explicit when `per_mass` is empty: A p = - B v with the velocities (m/s) as they are.
   /// Semi-implicit otherwise: p such that the velocities after the step, v + step F / mass, satisfy it, which is
   /// (A + step B M^-1 B^T) p = - B v. `per_mass` is 1 / mass by body, zero where the motion is prescribed.
@@ -87,7 +90,8 @@ private:
   Eigen::VectorXd solution_, before_; // now and one step ago
   Eigen::VectorXd mode_;              // of the largest rate
   std::vector<Vec3> triangulated_at_, refreshed_at_;
-  std::vector<Vec3> into_box_; // m, from where a grain was when triangulated to its image in the box; empty if not periodic
+  std::vector<Vec3>
+      into_box_; // m, from where a grain was when triangulated to its image in the box; empty if not periodic
   Box refreshed_box_;
   double mean_radius_ = 0;
   std::vector<double> rate_, of_pores_;

@@ -56,6 +56,11 @@ public:
   /// One step of `step()` seconds. Throws SolveError naming the limit when the run has left stability.
   void advance();
 
+  /// Imposes another pressure (Pa) on a face that has one, from the next step on.
+  void impose(Face face, double pressure) { fluid_.value().impose(face, pressure); }
+  /// Another stress (Pa) on a loaded wall.
+  void load(Face face, double stress) { std::get<LoadedWall>(cycle_.scene.walls.motion[index(face)]).stress = stress; }
+
   const StepLimits& limits() const { return limits_; }
   double step() const { return step_; }
   const GrainCycle& grains() const { return cycle_; }
