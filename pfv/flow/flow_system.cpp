@@ -127,6 +127,10 @@ FlowSystem assemble(const PoreNetwork& network, Conductances conductances, const
   return system;
 }
 
+void renew_right_side(FlowSystem& system, const PoreNetwork& network) {
+  fill_right_side(network, system);
+}
+
 void impose(FlowSystem& system, Face face, double pressure) {
   for (FlowSystem::KnownPore& pore : system.known_pores)
     if (pore.source == index(face))

@@ -70,6 +70,9 @@ bool refresh(FlowSystem& system, const PoreNetwork& network, const Conductances&
 /// Imposes another pressure (Pa) on all pores that have theirs from this face. The right side is left as it is.
 void impose(FlowSystem& system, Face face, double pressure);
 
+/// The right side of the pressures that are imposed now.
+void renew_right_side(FlowSystem& system, const PoreNetwork& network);
+
 /// Pressure of every pore (Pa) from the solution of the system.
 void set_pore_pressures(const FlowSystem& system, const Eigen::VectorXd& solution, std::vector<double>& pressure);
 std::vector<double> pore_pressures(const FlowSystem& system, const Eigen::VectorXd& solution);

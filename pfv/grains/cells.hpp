@@ -8,8 +8,8 @@
 
 namespace pfv {
 
-/// Some of the grains, sorted into the cells of a grid over the box. Grains beyond a wall count to the cells next to it;
-/// along a periodic axis a grain counts where its image in the box is.
+/// Some of the grains, sorted into the cells of a grid over the box. Grains beyond a wall count to the cells next to
+/// it; along a periodic axis a grain counts where its image in the box is.
 class Cells {
 public:
   /// Cells at least `width` (m) wide.
@@ -36,7 +36,8 @@ private:
   /// Two where the cells around a point go on at the other end of a periodic axis.
   using Runs = std::array<Run, 2>;
 
-  template <class Visit> void visit_row(int from, int to, const Visit& visit) const {
+  template <class Visit>
+  void visit_row(int from, int to, const Visit& visit) const {
     for (int m = start_[from]; m < start_[std::max(from, to + 1)]; ++m)
       visit(members_[m]);
   }

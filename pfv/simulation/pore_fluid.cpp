@@ -182,6 +182,14 @@ void PoreFluid::restore(const FluidState& state) {
   rebuilt = state.counts.rebuilt;
   iterations = state.counts.iterations;
   solves = state.counts.solves;
+
+void PoreFluid::impose(Face face, double pressure) {
+  auto* open = std::get_if<Pressure>(&scene_.faces[index(face)]);
+  if (!open)
+    throw InputError(fmt::format("{} has no pressure that could be another one", face_names[index(face)]));
+  open->value = pressure;
+  pfv::impose(system_, face, pressure);
+  renew_right_side(system_, network_);
 }
 
 Eigen::VectorXd PoreFluid::to_unknowns(const std::vector<double>& of_pores) const {

@@ -60,6 +60,8 @@ public:
   FluidState state() const;
   /// Throws InputError when the state is of other pores.
   void restore(const FluidState& state);
+  /// Imposes another pressure (Pa) on a face that has one. Throws InputError when it has none.
+  void impose(Face face, double pressure);
 
   /// Forces (N) on all bodies. Explicit when `per_mass` is empty: A p = - B v with the velocities (m/s) as they are.
   /// Semi-implicit otherwise: p such that the velocities after the step, v + step F / mass, satisfy it, which is

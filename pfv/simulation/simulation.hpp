@@ -62,6 +62,10 @@ public:
 
   /// What is needed to go on from here. Pores, candidates and step are found anew, as they are by who goes on from it.
   Checkpoint checkpoint();
+  /// Imposes another pressure (Pa) on a face that has one, from the next step on.
+  void impose(Face face, double pressure) { fluid_.value().impose(face, pressure); }
+  /// Another stress (Pa) on a loaded wall.
+  void load(Face face, double stress) { std::get<LoadedWall>(cycle_.scene.walls.motion[index(face)]).stress = stress; }
 
   const StepLimits& limits() const { return limits_; }
   double step() const { return step_; }

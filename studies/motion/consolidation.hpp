@@ -5,8 +5,8 @@
 
 namespace studies {
 
-/// How far a test is from Terzaghi's solution for its layer: over all moments with 0.05 <= T <= 1, relative to the final
-/// settlement and to the load.
+/// How far a test is from Terzaghi's solution for its layer: over all moments with 0.05 <= T <= 1, relative to the
+/// final settlement and to the load.
 struct ConsolidationError {
   double largest_settlement = 0, rms_settlement = 0;
   double largest_pressure = 0, rms_pressure = 0; // at half of the height

@@ -15,27 +15,35 @@ Table layer_table(const Layer& layer, const Oedometer& asked) {
   const auto row = [](const char* what, std::string value, const char* how) {
     return std::vector<std::string>{what, std::move(value), how};
   };
-  return {{{"quantity"}, {"value", true}, {"measured by"}},
-          {row("grains", fmt::format("{}", asked.grains), ""),
-           row("height", fmt::format("{:.5f} m", layer.height), "compaction to the confining stress"),
-           row("confining stress, load", fmt::format("{:.3g}, {:.3g} kPa", asked.confining_stress / 1e3, asked.load / 1e3), ""),
-           row("porosity", fmt::format("{:.4f}", layer.porosity), "its pores"),
-           row("drained planes", fmt::format("{:.4f}, {:.4f} H", layer.lower, layer.upper),
-               "permeability test: where the line of pressures of the middle meets the imposed ones"),
-           row("k", fmt::format("{:.4g} m²", layer.permeability), "permeability test: flux over the gradient of that line"),
-           row("k of the box", fmt::format("{:.4g} m²", layer.permeability_of_box), "the same over the drop and the height"),
-           row("S, final settlement", fmt::format("{:.4g} m", layer.final_settlement), "slow dry step of the load"),
-           row("share of the ends", percent(layer.share_of_ends),
-               "that step: change of volume in pores held at a drained wall's pressure"),
-           row("m_v", fmt::format("{:.4g} 1/Pa", layer.compressibility), "(1 - share) S / (load × drained length)"),
-           row("S(load/2) / (S/2) - 1", percent(layer.nonlinearity), "that step, at half of the load"),
-           row("viscosity", fmt::format("{:.4g} Pa s", layer.viscosity), "chosen: T = 1 after the duration"),
-           row("c_v = k / (μ m_v)", fmt::format("{:.4g} m²/s", layer.consolidation()), "")}};
+  return {
+      {{"quantity"}, {"value", true}, {"measured by"}},
+      {row("grains", fmt::format("{}", asked.grains), ""),
+       row("height", fmt::format("{:.5f} m", layer.height), "compaction to the confining stress"),
+       row("confining stress, load", fmt::format("{:.3g}, {:.3g} kPa", asked.confining_stress / 1e3, asked.load / 1e3),
+           ""),
+       row("porosity", fmt::format("{:.4f}", layer.porosity), "its pores"),
+       row("drained planes", fmt::format("{:.4f}, {:.4f} H", layer.lower, layer.upper),
+           "permeability test: where the line of pressures of the middle meets the imposed ones"),
+       row("k", fmt::format("{:.4g} m²", layer.permeability), "permeability test: flux over the gradient of that line"),
+       row("k of the box", fmt::format("{:.4g} m²", layer.permeability_of_box),
+           "the same over the drop and the height"),
+       row("S, final settlement", fmt::format("{:.4g} m", layer.final_settlement), "slow dry step of the load"),
+       row("share of the ends", percent(layer.share_of_ends),
+           "that step: change of volume in pores held at a drained wall's pressure"),
+       row("m_v", fmt::format("{:.4g} 1/Pa", layer.compressibility), "(1 - share) S / (load × drained length)"),
+       row("S(load/2) / (S/2) - 1", percent(layer.nonlinearity), "that step, at half of the load"),
+       row("viscosity", fmt::format("{:.4g} Pa s", layer.viscosity), "chosen: T = 1 after the duration"),
+       row("c_v = k / (μ m_v)", fmt::format("{:.4g} m²/s", layer.consolidation()), "")}};
 }
 
 Table moment_table(const Consolidation& test) {
-  Table table{{{"T", true}, {"S/S_final", true}, {"Terzaghi", true}, {"difference", true}, {"middle p/load", true},
-               {"Terzaghi", true}, {"difference", true}},
+  Table table{{{"T", true},
+               {"S/S_final", true},
+               {"Terzaghi", true},
+               {"difference", true},
+               {"middle p/load", true},
+               {"Terzaghi", true},
+               {"difference", true}},
               {}};
   for (const Moment& moment : test.moments) {
     const double s = expected_settlement(test.layer, moment.time_factor);
@@ -134,14 +142,14 @@ ExperimentReport consolidation_report(const Consolidation& test, const Oedometer
   const ConsolidationError error = error_of(test);
   ExperimentReport report;
   report.holds = error.largest_settlement <= settlement_tolerance && error.largest_pressure <= pressure_tolerance;
-  report.page = fmt::format("# {}\n\n![Pressure, profiles and settlement](figure.svg)\n\n{}{}\n## Error\n\n{}\n## The layer\n\n{}\n"
-                            "## In time\n\n{}\n## Cost\n\n{} steps of {:.3g} s, {:.2g} of the contacts' limit; the energy "
-                            "balance misses {:.1e} of the work of the load.\n\n{}\n## Where the numbers come from\n\n{}",
-                            consolidation_experiment.title, "Points: the simulation; lines: Terzaghi.\n", how_to_read,
-                            to_markdown(error_table(error)), to_markdown(layer_table(test.layer, asked)),
-                            to_markdown(moment_table(test)), test.steps, test.step, test.step / test.contact_limit,
-                            test.energy_error, to_markdown(cost_table(test.stages, test.steps)),
-                            to_markdown(build_table()));
+  report.page = fmt::format(
+      "# {}\n\n![Pressure, profiles and settlement](figure.svg)\n\n{}{}\n## Error\n\n{}\n## The layer\n\n{}\n"
+      "## In time\n\n{}\n## Cost\n\n{} steps of {:.3g} s, {:.2g} of the contacts' limit; the energy "
+      "balance misses {:.1e} of the work of the load.\n\n{}\n## Where the numbers come from\n\n{}",
+      consolidation_experiment.title, "Points: the simulation; lines: Terzaghi.\n", how_to_read,
+      to_markdown(error_table(error)), to_markdown(layer_table(test.layer, asked)), to_markdown(moment_table(test)),
+      test.steps, test.step, test.step / test.contact_limit, test.energy_error,
+      to_markdown(cost_table(test.stages, test.steps)), to_markdown(build_table()));
   report.files = {{"moments.csv", moments_csv(test)},
                   {"profiles.csv", profiles_csv(test)},
                   {"curves.csv", curves_csv(test.layer)},

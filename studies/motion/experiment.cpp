@@ -1,6 +1,8 @@
 #include "studies/motion/experiment.hpp"
 
 #include "studies/motion/consolidation.hpp"
+#include "studies/motion/immersed_settling.hpp"
+#include "studies/motion/uplift.hpp"
 #include "studies/runner/build_info.hpp"
 #include "studies/runner/files.hpp"
 #include "studies/runner/number_text.hpp"
@@ -13,7 +15,7 @@
 namespace studies {
 
 std::span<const Experiment> experiments() {
-  static constexpr std::array all{consolidation_experiment};
+  static constexpr std::array all{consolidation_experiment, settling_experiment, uplift_experiment};
   return all;
 }
 

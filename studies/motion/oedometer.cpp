@@ -100,8 +100,7 @@ void measure_compressibility(const Oedometer& test, GrainCycle cycle, const Stea
   layer.final_settlement = layer.height - height(cycle);
   layer.nonlinearity = load_increments * half / layer.final_settlement - 1;
   layer.share_of_ends = share_of_held_pores(flow, packing_of(cycle.grains), clock);
-  layer.compressibility =
-      (1 - layer.share_of_ends) * layer.final_settlement / (layer.drained_length() * test.load);
+  layer.compressibility = (1 - layer.share_of_ends) * layer.final_settlement / (layer.drained_length() * test.load);
 }
 
 Moment look(const Oedometer& test, const Layer& layer, const Simulation& simulation, double time_factor) {
@@ -117,7 +116,8 @@ Moment look(const Oedometer& test, const Layer& layer, const Simulation& simulat
   Moment moment{time_factor, (layer.height - now) / layer.final_settlement, 0, {}};
   for (std::size_t s = 0; s < slices; ++s)
     moment.pressure.push_back(sum[s] / volume[s] / test.load);
-  moment.middle_pressure = (sum[slices / 2 - 1] + sum[slices / 2]) / (volume[slices / 2 - 1] + volume[slices / 2]) / test.load;
+  moment.middle_pressure =
+      (sum[slices / 2 - 1] + sum[slices / 2]) / (volume[slices / 2 - 1] + volume[slices / 2]) / test.load;
   return moment;
 }
 
@@ -173,8 +173,7 @@ Consolidation consolidate(const Oedometer& test, const std::vector<double>& time
   }
   const EnergyBalance& after = simulation.grains().energy;
   const double work = after.loads - before.loads;
-  result.energy_error =
-      (work - (after.lost() - before.lost()) - (stored_energy(simulation.grains()) - stored)) / work;
+  result.energy_error = (work - (after.lost() - before.lost()) - (stored_energy(simulation.grains()) - stored)) / work;
   result.steps = simulation.steps();
   result.stages = simulation.clock().stages();
   return result;

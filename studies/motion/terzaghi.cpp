@@ -7,7 +7,8 @@ namespace studies {
 namespace {
 
 /// Sum over the modes M = pi (2 m + 1) / 2 until they no longer count.
-template <class Term> double sum_of_modes(double time_factor, const Term& term) {
+template <class Term>
+double sum_of_modes(double time_factor, const Term& term) {
   constexpr int most_modes = 100'000;
   double sum = 0;
   for (int m = 0; m < most_modes; ++m) {

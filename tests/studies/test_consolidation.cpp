@@ -35,8 +35,8 @@ TEST(Consolidation, ErrorIsThatOfTheMomentsBetweenTheTwoTimes) {
   Consolidation test;
   test.layer.share_of_ends = 0.1;
   const auto moment = [&](double t, double settlement, double pressure) {
-    test.moments.push_back({t, expected_settlement(test.layer, t) + settlement,
-                            expected_pressure(test.layer, t, 0.5) + pressure, {}});
+    test.moments.push_back(
+        {t, expected_settlement(test.layer, t) + settlement, expected_pressure(test.layer, t, 0.5) + pressure, {}});
   };
   moment(0.01, 0.5, 0.5);
   moment(0.05, 0.03, 0);

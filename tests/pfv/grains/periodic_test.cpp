@@ -14,12 +14,10 @@ namespace {
 constexpr PeriodicAxes sideways{true, true, false}, all_around{true, true, true};
 
 Grains grains_in(const PeriodicAxes& periodic, int spheres, double ratio) {
-  return grains_of(random_packing({.spheres = spheres,
-                                   .solid_fraction = 0.4,
-                                   .radius_ratio = ratio,
-                                   .seed = 5,
-                                   .periodic = periodic}),
-                   1000, periodic);
+  return grains_of(
+      random_packing(
+          {.spheres = spheres, .solid_fraction = 0.4, .radius_ratio = ratio, .seed = 5, .periodic = periodic}),
+      1000, periodic);
 }
 
 TEST(PeriodicGrains, MeetTheNearestImagesOfAllThatAreNear) {

@@ -15,8 +15,8 @@ constexpr PeriodicAxes sideways{true, true, false};
 
 Scene periodic_box(int grains) {
   Scene scene = drained_box(grains, 1.35, 10);
-  scene.packing = random_packing(
-      {.spheres = grains, .solid_fraction = 0.5, .radius_ratio = 1.35, .seed = 2, .periodic = sideways});
+  scene.packing =
+      random_packing({.spheres = grains, .solid_fraction = 0.5, .radius_ratio = 1.35, .seed = 2, .periodic = sideways});
   scene.grains.walls.periodic = sideways;
   for (const Face face : {Face::x_min, Face::x_max, Face::y_min, Face::y_max})
     scene.fluid->faces[index(face)] = Periodic{};

@@ -1,0 +1,101 @@
+#include "studies/motion/immersed_settling.hpp"
+#include "studies/runner/number_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace studies {
+namespace {
+
+constexpr double carried_tolerance = 0.05, rest_tolerance = 0.01;
+
+/// The largest share of the weight that the excess pressure at the floor reaches.
+double highest_pressure(const Settling& test) {
+  return std::ranges::max(test.moments, {}, &SettlingMoment::floor_pressure).floor_pressure;
+}
+
+/// Root mean square of what fluid and floor together miss of the weight, after the start from rest.
+double imbalance(const Settling& test) {
+  double sum = 0, count = 0;
+  for (std::size_t n = test.moments.size() / 50; n < test.moments.size(); ++n, ++count)
+    sum += std::pow(test.moments[n].lift + test.moments[n].on_floor - 1, 2);
+  return std::sqrt(sum / count);
+}
+
+/// Mean speed while the suspension still is one: until it has sunk by a twentieth.
+double first_speed(const Settling& test) {
+  double sum = 0, count = 0;
+  for (std::size_t n = 1; n < test.moments.size() && test.moments[n].mean_height > 0.95; ++n, ++count)
+    sum += test.moments[n].speed;
+  return count > 0 ? sum / count : 0;
+}
+
+Table findings(const Settling& test) {
+  const SettlingMoment& last = test.moments.back();
+  return {{{"quantity"}, {"value", true}},
+          {{"grains", fmt::format("{}", test.bed.grains)},
+           {"solid fraction of the suspension", fmt::format("{:.2f}", test.solid_fraction)},
+           {"viscosity", fmt::format("{:.3g} Pa s", test.bed.viscosity)},
+           {"highest excess pressure at the floor × area / weight", fmt::format("{:.4f}", highest_pressure(test))},
+           {"(lift + floor) / weight - 1, root mean square", percent(imbalance(test))},
+           {"at the end: floor / weight", fmt::format("{:.5f}", last.on_floor)},
+           {"at the end: excess pressure × area / weight", fmt::format("{:.5f}", last.floor_pressure)},
+           {"porosity of the bed", fmt::format("{:.4f}", test.bed_porosity)},
+           {"speed at the start", fmt::format("{:.3g} m/s", first_speed(test))},
+           {"k (1 - n)(ρ_s - ρ_f) g / μ, grains held as they were", fmt::format("{:.3g} m/s", test.expected_speed)}}};
+}
+
+std::string moments_csv(const Settling& test) {
+  std::string text = "time,floor_pressure,on_floor,lift,mean_height,speed\n";
+  for (const SettlingMoment& m : test.moments)
+    text += fmt::format("{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6e}\n", m.time, m.floor_pressure, m.on_floor, m.lift,
+                        m.mean_height, m.speed);
+  return text;
+}
+
+constexpr const char* figure = R"(set terminal svg size 760,360 font "Helvetica,13" background rgb "white"
+set output "figure.svg"
+set datafile separator ","
+set multiplot layout 1,2
+set border 3
+set tics nomirror
+set key right center samplen 2
+set xlabel "time (s)"
+set ylabel "force / buoyant weight"
+set yrange [0:1.2]
+plot "moments.csv" skip 1 using 1:2 with lines lw 2 lc rgb "#1f5fa8" title "excess pressure", \
+     "moments.csv" skip 1 using 1:3 with lines lw 2 lc rgb "#c0504d" title "contacts at the floor", \
+     "moments.csv" skip 1 using 1:($3+$4) with lines lw 1 lc rgb "#888888" title "together"
+set ylabel "mean height / that at the start"
+set yrange [0.5:1]
+plot "moments.csv" skip 1 using 1:5 with lines lw 2 lc rgb "#1f5fa8" notitle
+)";
+
+} // namespace
+
+ExperimentReport settling_report(const Settling& test) {
+  const SettlingMoment& last = test.moments.back();
+  ExperimentReport report;
+  report.holds = std::abs(highest_pressure(test) - 1) <= carried_tolerance && imbalance(test) <= carried_tolerance &&
+                 std::abs(last.on_floor - 1) <= rest_tolerance && std::abs(last.floor_pressure) <= rest_tolerance;
+  const Table table = findings(test);
+  report.page = fmt::format(
+      "# {}\n\n![Who carries the weight, and the mean height](figure.svg)\n\nA suspension without contacts rests on "
+      "the "
+      "fluid: the excess pressure at the floor reaches the buoyant weight per area. As a bed grows from below, "
+      "contacts "
+      "take over, and at rest the pressure is gone. What both carry together differs from the weight only while grains "
+      "gather or lose speed. Pore-scale finite volumes are a model of dense packings: the balance of forces does not "
+      "depend on that, the speed at the start does, and so does the permeability it is held against.\n\nThe pressure "
+      "is "
+      "to come within {} of the weight, both together too (root mean square), and to rest within {}.\n\n{}\n## "
+      "Cost\n\n{} steps, triangulated {} times\n\n{}\n## Where the numbers come from\n\n{}",
+      settling_experiment.title, percent(carried_tolerance), percent(rest_tolerance), to_markdown(table), test.steps,
+      test.rebuilt, to_markdown(cost_table(test.stages, test.steps)), to_markdown(build_table()));
+  report.files = {{"moments.csv", moments_csv(test)}, {"figure.gp", figure}};
+  report.summary = to_plain(table);
+  return report;
+}
+
+} // namespace studies

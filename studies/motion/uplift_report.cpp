@@ -1,0 +1,84 @@
+#include "studies/motion/uplift.hpp"
+#include "studies/runner/number_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace studies {
+namespace {
+
+constexpr double tolerance = 0.05, balance_tolerance = 0.03;
+
+/// The largest difference of floor and lift together from the weight, before the bed rises.
+double imbalance(const Uplift& test) {
+  double largest = 0;
+  for (const UpliftMoment& moment : test.moments)
+    if (moment.gradient > 0.8 * test.critical && moment.rise < 0.01)
+      largest = std::max(largest, std::abs(moment.lift + moment.on_floor - 1));
+  return largest;
+}
+
+Table findings(const Uplift& test) {
+  const auto against = [&](double gradient) { return percent(gradient / test.critical - 1); };
+  return {{{"quantity"}, {"value", true}, {"against i_c", true}},
+          {{"grains", fmt::format("{}", test.bed.grains), ""},
+           {"porosity n in the middle of the bed", fmt::format("{:.4f}", test.porosity), ""},
+           {"i_c = (1 - n)(G_s - 1)", fmt::format("{:.4f}", test.critical), ""},
+           {"i when the floor carries 1 % of the weight", fmt::format("{:.4f}", test.floor_left_at),
+            against(test.floor_left_at)},
+           {"i when the bed has risen by 0.01 diameters", fmt::format("{:.4f}", test.risen_at), against(test.risen_at)},
+           {"largest |lift + floor - weight| / weight before", percent(imbalance(test)), ""}}};
+}
+
+std::string moments_csv(const Uplift& test) {
+  std::string text = "gradient_over_critical,on_floor,lift,rise_in_diameters\n";
+  for (const UpliftMoment& m : test.moments)
+    text += fmt::format("{:.6f},{:.6f},{:.6f},{:.6f}\n", m.gradient / test.critical, m.on_floor, m.lift, m.rise);
+  return text;
+}
+
+constexpr const char* figure = R"(set terminal svg size 760,360 font "Helvetica,13" background rgb "white"
+set output "figure.svg"
+set datafile separator ","
+set multiplot layout 1,2
+set border 3
+set tics nomirror
+set xlabel "i / i_c"
+set arrow from 1, graph 0 to 1, graph 1 nohead dt 2 lc rgb "#888888"
+set key left center samplen 2
+set ylabel "force / buoyant weight"
+set yrange [0:1.2]
+plot "moments.csv" skip 1 using 1:3 with points pt 7 ps 0.4 lc rgb "#1f5fa8" title "fluid", \
+     "moments.csv" skip 1 using 1:2 with points pt 7 ps 0.4 lc rgb "#c0504d" title "floor"
+set ylabel "rise of the bed / diameter"
+set yrange [*:*]
+plot "moments.csv" skip 1 using 1:4 with points pt 7 ps 0.4 lc rgb "#1f5fa8" notitle
+)";
+
+constexpr const char* how_to_read = R"(
+A bed settled under its buoyant weight stands in a box that repeats sideways. The excess pressure below it is raised from
+0.7 of what balances the weight, slowly against the time in which the pressures of the bed even out. The gradient is that
+of the pressures in the middle of the bed, from a fifth to four fifths of its height; so is the porosity. At the critical
+gradient of Terzaghi the fluid carries the whole weight, nothing is left for the floor, and the bed comes loose.
+)";
+
+} // namespace
+
+ExperimentReport uplift_report(const Uplift& test) {
+  ExperimentReport report;
+  const auto near = [&](double gradient) { return std::abs(gradient / test.critical - 1) <= tolerance; };
+  report.holds = near(test.floor_left_at) && near(test.risen_at) && imbalance(test) <= balance_tolerance;
+  const Table table = findings(test);
+  report.page = fmt::format("# {}\n\n![Forces and rise over the gradient](figure.svg)\n{}\nBoth gradients are to be "
+                            "within {} of i_c, lift and floor together within {} of the weight.\n\n{}\n## Cost\n\n{} "
+                            "steps\n\n{}\n## Where the numbers come from\n\n{}",
+                            uplift_experiment.title, how_to_read, percent(tolerance), percent(balance_tolerance),
+                            to_markdown(table), test.steps, to_markdown(cost_table(test.stages, test.steps)),
+                            to_markdown(build_table()));
+  report.files = {{"moments.csv", moments_csv(test)}, {"figure.gp", figure}};
+  report.summary = to_plain(table);
+  return report;
+}
+
+} // namespace studies
