@@ -13,7 +13,8 @@ namespace pfv {
 struct Scene;
 
 /// All that a run remembers, from which it goes on bit for bit. Not in it is what both the run that is saved and the
-/// one that goes on find anew: candidates for contacts, pores, the length of the step.
+/// one that goes on find anew: candidates for contacts, pores, the length of the step. What a scene names is not in it
+/// either.
 struct Checkpoint {
   Grains grains;
   std::optional<Cohesion> cohesion;

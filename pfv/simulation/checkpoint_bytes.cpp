@@ -37,6 +37,7 @@ void visit_fields(Archive& field, Of& of) {
   field("time", of.time);
   if (field.names("fluid", of.fluid)) {
     field("pressure", of.fluid->above_level);
+    field("level", of.fluid->level);
     field("fluid counts", of.fluid->counts);
   }
 }

@@ -168,7 +168,7 @@ void PoreFluid::start_from_solution() {
 }
 
 FluidState PoreFluid::state() const {
-  return {{solution_.begin(), solution_.end()}, {refreshed, rebuilt, iterations, solves}};
+  return {{solution_.begin(), solution_.end()}, system_.level, {refreshed, rebuilt, iterations, solves}};
 }
 
 void PoreFluid::restore(const FluidState& state) {
@@ -177,11 +177,14 @@ void PoreFluid::restore(const FluidState& state) {
                                  "imposed",
                                  state.above_level.size(), system_.unknowns()));
   std::ranges::copy(state.above_level, solution_.begin());
+  if (state.level != system_.level) // other pressures are imposed now
+    solution_.array() += state.level - system_.level;
   start_from_solution();
   refreshed = state.counts.refreshed;
   rebuilt = state.counts.rebuilt;
   iterations = state.counts.iterations;
   solves = state.counts.solves;
+}
 
 void PoreFluid::impose(Face face, double pressure) {
   auto* open = std::get_if<Pressure>(&scene_.faces[index(face)]);

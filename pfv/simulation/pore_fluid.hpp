@@ -37,6 +37,7 @@ struct FluidState {
     std::size_t refreshed, rebuilt, iterations, solves;
   };
   std::vector<double> above_level; // Pa, the unknown pressures
+  double level = 0;                // Pa
   Counts counts{};
 };
 
@@ -60,6 +61,7 @@ public:
   FluidState state() const;
   /// Throws InputError when the state is of other pores.
   void restore(const FluidState& state);
+
   /// Imposes another pressure (Pa) on a face that has one. Throws InputError when it has none.
   void impose(Face face, double pressure);
 

@@ -62,6 +62,7 @@ public:
 
   /// What is needed to go on from here. Pores, candidates and step are found anew, as they are by who goes on from it.
   Checkpoint checkpoint();
+
   /// Imposes another pressure (Pa) on a face that has one, from the next step on.
   void impose(Face face, double pressure) { fluid_.value().impose(face, pressure); }
   /// Another stress (Pa) on a loaded wall.

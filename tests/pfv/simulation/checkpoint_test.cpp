@@ -171,6 +171,21 @@ TEST(Checkpoint, OfOtherGrainsIsRefused) {
   says(other, "cohesion \"absent\" there, \"present\" in the scene");
 }
 
+TEST(Checkpoint, KeepsPressuresWhereOthersAreImposed) {
+  Scene scene = drained_box(60, 2, 20);
+  Simulation simulation(scene);
+  advance(simulation, 20);
+  simulation.impose(Face::z_max, 7);
+  const Checkpoint checkpoint = simulation.checkpoint();
+  Simulation second(scene, checkpoint);
+  second.impose(Face::z_max, 7);
+  const auto& system = simulation.fluid()->system();
+  for (std::size_t i = 0; i < simulation.fluid()->pressure().size(); ++i)
+    if (!system.known(i)) {
+      EXPECT_NEAR(second.fluid()->pressure()[i], simulation.fluid()->pressure()[i], 1e-9);
+    }
+}
+
 TEST(Checkpoint, OfOtherPoresIsRefused) {
   Scene scene = drained_box(60, 2, 20);
   Simulation simulation(scene);
