@@ -199,6 +199,7 @@ TEST(RunCommand, RefusesBadScenesInOneLine) {
   says(grains + "[walls]\nz_max = \"loose\"\n", "must be \"fixed\", { velocity = m/s } or { stress = Pa, mass = kg }");
   says(grains + "[walls]\nz_max = { stress = -1 }\n", "stress \"-1\" must be at least 0");
   says(grains + "[walls]\nz_max = { stress = 1, mass = 0 }\n", "mass \"0\" must be above 0");
+  says(grains + "[flow]\naxis = \"z\"\n[pfv]\nsolver = \"amg\"\n", "solver");
   says(grains + "[run]\nsteps = 1.5\n", "steps");
   says(grains + "[flow]\naxis = \"z\"\n[faces]\nz_min = { pressure = 1 }\n", "at most one of [flow] and [faces]");
   says("[grains]\ndensity = 1\n", "packing");
