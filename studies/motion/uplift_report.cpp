@@ -38,7 +38,7 @@ std::string moments_csv(const Uplift& test) {
   return text;
 }
 
-constexpr const char* figure = R"(set terminal svg size 760,360 font "Helvetica,13" background rgb "white"
+constexpr const char* figure = R"gnuplot(set terminal svg size 760,360 font "Helvetica,13" background rgb "white"
 set output "figure.svg"
 set datafile separator ","
 set multiplot layout 1,2
@@ -54,7 +54,7 @@ plot "moments.csv" skip 1 using 1:3 with points pt 7 ps 0.4 lc rgb "#1f5fa8" tit
 set ylabel "rise of the bed / diameter"
 set yrange [*:*]
 plot "moments.csv" skip 1 using 1:4 with points pt 7 ps 0.4 lc rgb "#1f5fa8" notitle
-)";
+)gnuplot";
 
 constexpr const char* how_to_read = R"(
 A bed settled under its buoyant weight stands in a box that repeats sideways. The excess pressure below it is raised from
