@@ -96,7 +96,7 @@ std::string curves_csv(const Layer& layer) {
 }
 
 /// Figure 6 of the paper: pressure in time, pressure over the height at four times, settlement in time.
-constexpr const char* figure = R"(set terminal svg size 1080,380 font "Helvetica,13" background rgb "white"
+constexpr const char* figure = R"gnuplot(set terminal svg size 1080,380 font "Helvetica,13" background rgb "white"
 set output "figure.svg"
 set datafile separator ","
 set multiplot layout 1,3
@@ -123,7 +123,7 @@ set xrange [0:1]
 set yrange [1:0]
 plot "curves.csv" skip 1 using 1:2 with lines lw 2 lc rgb "#888888" title "Terzaghi", \
      "moments.csv" skip 1 using 1:2 with points pt 7 ps 0.6 lc rgb "#1f5fa8" title "PFV-DEM"
-)";
+)gnuplot";
 
 constexpr const char* how_to_read = R"(
 Grains compacted at low friction and then given the friction of the test are elastic in a small step of load, and the box

@@ -54,7 +54,7 @@ std::string moments_csv(const Settling& test) {
   return text;
 }
 
-constexpr const char* figure = R"(set terminal svg size 760,360 font "Helvetica,13" background rgb "white"
+constexpr const char* figure = R"gnuplot(set terminal svg size 760,360 font "Helvetica,13" background rgb "white"
 set output "figure.svg"
 set datafile separator ","
 set multiplot layout 1,2
@@ -70,7 +70,7 @@ plot "moments.csv" skip 1 using 1:2 with lines lw 2 lc rgb "#1f5fa8" title "exce
 set ylabel "mean height / that at the start"
 set yrange [0.5:1]
 plot "moments.csv" skip 1 using 1:5 with lines lw 2 lc rgb "#1f5fa8" notitle
-)";
+)gnuplot";
 
 } // namespace
 

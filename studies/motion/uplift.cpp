@@ -13,7 +13,7 @@ using namespace pfv;
 namespace {
 
 constexpr double solid_fraction_at_start = 0.35;
-constexpr double from = 0.7, to = 1.2; // of the pressure below that balances the weight
+constexpr double highest = 1.2; // of the pressure below that balances the weight
 
 GrainCycle bed_at_rest(const Bed& bed, Clock& clock) {
   const GrainScene scene = bed_grains(bed, 0.2);
@@ -81,21 +81,21 @@ Uplift lift_up(const Bed& bed, const Say& say) {
 
   Scene scene;
   scene.grains = bed_grains(bed, 0);
-  scene.fluid = bed_fluid(bed, Pressure{from * balance});
+  scene.fluid = bed_fluid(bed, Pressure{0});
   scene.scheme = SemiImplicit{};
   Simulation simulation(scene, std::move(rest));
   const Middle before = middle_of(*simulation.fluid(), result.height);
   result.porosity = before.hollow / before.all;
   result.critical = (1 - result.porosity) * (bed.density / bed.fluid_density - 1);
 
-  constexpr double duration = 1; // s: long against the tenths in which the pressures of the bed even out
+  constexpr double duration = 2; // s: long against the tenths in which the pressures of the bed even out
   constexpr int looks = 200;
   const double began = simulation.grains().time;
   for (int n = 1; n <= looks; ++n) {
     double done = 0;
     do {
       done = (simulation.grains().time - began) / duration;
-      simulation.impose(Face::z_min, (from + (to - from) * done) * balance);
+      simulation.impose(Face::z_min, highest * done * balance);
       simulation.advance();
       if (simulation.steps() % 50 == 0)
         say("raising the pressure", done);

@@ -14,7 +14,7 @@ constexpr double tolerance = 0.05, balance_tolerance = 0.03;
 double imbalance(const Uplift& test) {
   double largest = 0;
   for (const UpliftMoment& moment : test.moments)
-    if (moment.gradient > 0.8 * test.critical && moment.rise < 0.01)
+    if (moment.rise < 0.01)
       largest = std::max(largest, std::abs(moment.lift + moment.on_floor - 1));
   return largest;
 }
@@ -38,7 +38,7 @@ std::string moments_csv(const Uplift& test) {
   return text;
 }
 
-constexpr const char* figure = R"(set terminal svg size 760,360 font "Helvetica,13" background rgb "white"
+constexpr const char* figure = R"gnuplot(set terminal svg size 760,360 font "Helvetica,13" background rgb "white"
 set output "figure.svg"
 set datafile separator ","
 set multiplot layout 1,2
@@ -54,11 +54,11 @@ plot "moments.csv" skip 1 using 1:3 with points pt 7 ps 0.4 lc rgb "#1f5fa8" tit
 set ylabel "rise of the bed / diameter"
 set yrange [*:*]
 plot "moments.csv" skip 1 using 1:4 with points pt 7 ps 0.4 lc rgb "#1f5fa8" notitle
-)";
+)gnuplot";
 
 constexpr const char* how_to_read = R"(
-A bed settled under its buoyant weight stands in a box that repeats sideways. The excess pressure below it is raised from
-0.7 of what balances the weight, slowly against the time in which the pressures of the bed even out. The gradient is that
+A bed settled under its buoyant weight stands in a box that repeats sideways. The excess pressure below it is raised
+from zero, slowly against the time in which the pressures of the bed even out. The gradient is that
 of the pressures in the middle of the bed, from a fifth to four fifths of its height; so is the porosity. At the critical
 gradient of Terzaghi the fluid carries the whole weight, nothing is left for the floor, and the bed comes loose.
 )";
