@@ -186,6 +186,14 @@ TEST(Checkpoint, KeepsPressuresWhereOthersAreImposed) {
     }
 }
 
+TEST(Checkpoint, OfARunThatLeftStabilityIsRefused) {
+  Scene scene = drained_box(60, 2, 20);
+  scene.step = 0.05;
+  Simulation simulation(scene);
+  advance(simulation, 19); // it looks at the twentieth
+  EXPECT_THROW(simulation.checkpoint(), SolveError);
+}
+
 TEST(Checkpoint, OfOtherPoresIsRefused) {
   Scene scene = drained_box(60, 2, 20);
   Simulation simulation(scene);
