@@ -1,28 +1,30 @@
 #include "pfv/command/run_command.hpp"
 
+#include "pfv/command/run_progress.hpp"
 #include "pfv/command/run_report.hpp"
 #include "pfv/flow/choice.hpp"
 #include "pfv/problem/error.hpp"
+#include "pfv/problem/text.hpp"
 #include "pfv/simulation/read_scene.hpp"
 
 #include <CLI/CLI.hpp>
-#include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
 #include <fstream>
 #include <memory>
-#include <unistd.h>
 
 namespace pfv {
 namespace {
 
 struct Options {
   std::string file;
-  std::optional<std::size_t> steps;
+  std::optional<long long> steps;
   std::optional<double> until;
   std::optional<std::string> scheme;
-  std::string packing_file, history_file;
-  std::size_t every = 100;
+  std::string packing_file, history_file, save_file, restart_file;
+  std::optional<double> save_every;
+  long long every = 100;
   bool json = false;
 };
 
@@ -44,33 +46,86 @@ private:
   std::ofstream out_;
 };
 
-/// A line that is written over on a terminal, a few times a second; none elsewhere.
-class Progress {
+/// Saves at the end, and before whenever another `every` seconds have been simulated.
+class Saves {
 public:
-  Progress() : shown_(isatty(STDERR_FILENO) != 0), start_(Clock::now()), last_(start_) {}
-  ~Progress() {
-    if (shown_)
-      fmt::print(stderr, "\r{:60}\r", "");
+  Saves(const Options& options, double time) : file_(options.save_file), every_(options.save_every) {
+    if (!file_.empty())
+      require_writable(file_);
+    set_next(time);
   }
-  void show(double share, double time) {
-    const auto now = Clock::now();
-    if (!shown_ || share <= 0 || now - last_ < std::chrono::milliseconds(200))
+  void save(Simulation& simulation) {
+    if (file_.empty())
       return;
-    last_ = now;
-    const double past = std::chrono::duration<double>(now - start_).count();
-    fmt::print(stderr, "\r{:3.0f} %  t = {:.4g} s  {:.0f} s left    ", 100 * share, time, past * (1 / share - 1));
+    write_checkpoint(file_, simulation.checkpoint());
+    saved_at_ = simulation.grains().time;
   }
+  void save_if_due(Simulation& simulation) {
+    if (!every_ || simulation.grains().time < next_)
+      return;
+    save(simulation);
+    set_next(simulation.grains().time);
+  }
+  /// What can be gone on from after a failure, as the end of a message.
+  std::string last() const { return saved_at_ ? fmt::format("; saved at {:.6g} s in {}", *saved_at_, file_) : ""; }
 
 private:
-  using Clock = std::chrono::steady_clock;
-  bool shown_;
-  Clock::time_point start_, last_;
+  void set_next(double time) {
+    if (every_)
+      next_ = *every_ * (std::floor(time / *every_) + 1);
+  }
+
+  std::string file_;
+  std::optional<double> every_, saved_at_; // s
+  double next_ = 0;                        // s
 };
 
-Duration duration_of(const Options& options, Duration in_file) {
+void require_above_zero(const char* option, const std::optional<double>& value) {
+  if (value && !(*value > 0 && std::isfinite(*value)))
+    throw InputError(fmt::format("{} \"{}\" must be above 0 and finite", option, shortest(*value)));
+}
+
+Duration duration_of(const Options& options, const Duration& in_file) {
+  require_above_zero("--until", options.until);
+  require_above_zero("--save-every", options.save_every);
+  if (options.steps && *options.steps < 1)
+    throw InputError(fmt::format("--steps \"{}\" must be 1 or more", *options.steps));
   if (!options.steps && !options.until && !in_file.steps && !in_file.until)
     throw InputError("how long the scene runs is not said: --steps, --until, or steps or until in [run]");
-  return options.steps || options.until ? Duration{options.until, options.steps} : in_file;
+  if (!options.steps && !options.until)
+    return in_file;
+  return {options.until, options.steps ? std::optional<std::size_t>(*options.steps) : std::nullopt};
+}
+
+/// Of the run that is done, counted from the start of its first part.
+double share_done(const Duration& duration, const Simulation& simulation) {
+  const double of_steps =
+      duration.steps ? static_cast<double>(simulation.steps()) / static_cast<double>(*duration.steps) : 0;
+  return std::max(of_steps, duration.until ? simulation.grains().time / *duration.until : 0);
+}
+
+Simulation start(const Scene& scene, const std::string& restart_file) {
+  if (restart_file.empty())
+    return Simulation(scene);
+  const Checkpoint checkpoint = read_checkpoint(restart_file);
+  try {
+    require_same_grains(checkpoint, scene);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", restart_file, error.what()));
+  }
+  return Simulation(scene, checkpoint);
+}
+
+void advance(Simulation& simulation, const Duration& duration, Saves& saves, std::optional<Output>& history,
+             std::size_t every) {
+  RunProgress progress(share_done(duration, simulation));
+  while (share_done(duration, simulation) < 1) {
+    simulation.advance();
+    if (history && simulation.steps() % every == 0)
+      history->stream() << history_row(simulation);
+    saves.save_if_due(simulation);
+    progress.show(share_done(duration, simulation), simulation.grains().time);
+  }
 }
 
 void run(const Options& options) {
@@ -78,28 +133,20 @@ void run(const Options& options) {
   if (options.scheme)
     file.scene.scheme = choice_named<TimeScheme>("--scheme", *options.scheme);
   const Duration duration = duration_of(options, file.duration);
+  Simulation simulation = start(file.scene, options.restart_file);
+  Saves saves(options, simulation.grains().time);
   std::optional<Output> history, packing;
   if (!options.history_file.empty())
     history.emplace("--history", options.history_file).stream() << history_header();
   if (!options.packing_file.empty())
     packing.emplace("--packing", options.packing_file);
 
-  Simulation simulation(file.scene);
   if (!options.json)
     fmt::print("{}", opening_report(file.scene, simulation));
-  {
-    Progress progress;
-    const auto share = [&] {
-      const double of_steps =
-          duration.steps ? static_cast<double>(simulation.steps()) / static_cast<double>(*duration.steps) : 0;
-      return std::max(of_steps, duration.until ? simulation.grains().time / *duration.until : 0);
-    };
-    while (share() < 1) {
-      simulation.advance();
-      if (history && simulation.steps() % options.every == 0)
-        history->stream() << history_row(simulation);
-      progress.show(share(), simulation.grains().time);
-    }
+  try {
+    advance(simulation, duration, saves, history, static_cast<std::size_t>(options.every));
+  } catch (const SolveError& error) {
+    throw SolveError(error.what() + saves.last());
   }
   if (history)
     history->finish();
@@ -108,6 +155,7 @@ void run(const Options& options) {
     packing->finish();
   }
   fmt::print("{}", options.json ? json_report(file.scene, simulation) : closing_report(simulation));
+  saves.save(simulation);
 }
 
 } // namespace
@@ -116,12 +164,16 @@ void add_run_command(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("run", "Grains in motion, with the effects that the scene names");
   command->add_option("FILE", options->file, "scene (TOML)")->required();
-  command->add_option("--steps", options->steps, "how many steps to take");
-  command->add_option("--until", options->until, "time to simulate (s)");
+  command->add_option("--steps", options->steps, "how many steps to take, those before a restart included");
+  command->add_option("--until", options->until, "time to simulate to (s)");
   command->add_option("--scheme", options->scheme, list_of(names_of<TimeScheme>()));
   command->add_option("--packing", options->packing_file, "write the packing at the end to this file");
   command->add_option("--history", options->history_file, "write box, energies and pressure in time to this CSV file");
   command->add_option("--every", options->every, "steps between rows of the history")->check(CLI::PositiveNumber);
+  auto* save = command->add_option("--save", options->save_file, "write what is needed to go on from the end here");
+  command->add_option("--save-every", options->save_every, "seconds simulated between saves before the end")
+      ->needs(save);
+  command->add_option("--restart", options->restart_file, "go on from a file that --save wrote");
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { run(*options); });
 }

@@ -65,6 +65,8 @@ std::string opening_report(const Scene& scene, const Simulation& simulation) {
   line("limit", fmt::format("{:.3g} s of the contacts{}", limits.contact,
                             limits.viscous ? fmt::format(", {:.3g} s of the fluid", *limits.viscous) : ""));
   line("step", fmt::format("{:.3g} s", simulation.step()));
+  if (simulation.steps() > 0)
+    line("goes on", fmt::format("from {:.6g} s after {} steps", simulation.grains().time, simulation.steps()));
   return text;
 }
 

@@ -36,6 +36,8 @@ public:
   };
   const Memory& memory() const { return memory_; }
   void restore(Memory memory) { memory_ = std::move(memory); }
+  /// Finds the candidates anew where the grains are now; forces do not depend on when that is done.
+  void renew(const Grains& grains);
 
   const ContactLaw& law() const { return law_; }
   /// Another law from now on; springs and bonds stay as they are.
@@ -46,7 +48,6 @@ public:
 
 private:
   void renew_if_moved(const Grains& grains, double step);
-  void renew(const Grains& grains);
 
   ContactLaw law_;
   double wall_friction_;

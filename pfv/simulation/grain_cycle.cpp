@@ -29,8 +29,11 @@ std::vector<Vec3> weights(const Grains& grains, const GrainScene& scene) {
 } // namespace
 
 GrainCycle::GrainCycle(const Packing& packing, const GrainScene& of_scene)
-    : grains(grains_of(packing, of_scene.density, of_scene.walls.periodic)),
-      contacts(of_scene.law, of_scene.walls.friction, of_scene.cohesion, grains), loads(grains.size()) {
+    : GrainCycle(grains_of(packing, of_scene.density, of_scene.walls.periodic), of_scene) {}
+
+GrainCycle::GrainCycle(Grains of_grains, const GrainScene& of_scene)
+    : grains(std::move(of_grains)), contacts(of_scene.law, of_scene.walls.friction, of_scene.cohesion, grains),
+      loads(grains.size()) {
   set_scene(of_scene);
 }
 

@@ -48,6 +48,8 @@ struct EnergyBalance {
 class GrainCycle {
 public:
   GrainCycle(const Packing& packing, const GrainScene& scene);
+  /// Of grains that are in motion already, in their order.
+  GrainCycle(Grains grains, const GrainScene& scene);
 
   /// Other laws, walls and loads from now on, for the same grains of the same density: a preparation's friction, say,
   /// makes way for that of the test. Contacts keep their springs; time and energies count on.

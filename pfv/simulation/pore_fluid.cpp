@@ -7,6 +7,7 @@
 #include "pfv/simulation/carry_over.hpp"
 #include "pfv/solvers/multigrid_solver.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -124,19 +125,7 @@ void PoreFluid::follow(const Packing& packing, Clock& clock) {
     anew = network_.inverted_throats > 0;
   }
   if (anew) {
-    const auto bodies = flux_.body;
-    const auto pressure = pressure_;
-    build(packing, clock);
-    pressure_ = carried_over(bodies, pressure, flux_.body, flux_.bodies);
-    std::vector<double> above = pressure_;
-    for (std::size_t i = 0; i < above.size(); ++i)
-      above[i] -= system_.level;
-    solution_.setZero(static_cast<Eigen::Index>(system_.unknowns()));
-    for (std::size_t i = 0; i < above.size(); ++i)
-      if (system_.unknown_of_pore[i] >= 0)
-        solution_[system_.unknown_of_pore[i]] = above[i];
-    before_ = solution_;
-    mode_.resize(0);
+    renew(packing, clock);
     ++rebuilt;
     return;
   }
@@ -158,6 +147,43 @@ void PoreFluid::follow(const Packing& packing, Clock& clock) {
   refreshed_at_ = centres(packing);
   refreshed_box_ = packing.box;
   ++refreshed;
+}
+
+void PoreFluid::renew(const Packing& packing, Clock& clock) {
+  const auto bodies = flux_.body;
+  build(packing, clock);
+  const auto carried = carried_over(bodies, pressure_, flux_.body, flux_.bodies);
+  solution_.setZero(static_cast<Eigen::Index>(system_.unknowns()));
+  for (std::size_t i = 0; i < carried.size(); ++i)
+    if (system_.unknown_of_pore[i] >= 0)
+      solution_[system_.unknown_of_pore[i]] = carried[i] - system_.level;
+  start_from_solution();
+}
+
+/// Forgets all but the pressures.
+void PoreFluid::start_from_solution() {
+  to_pores(solution_);
+  before_ = solution_;
+  mode_.resize(0);
+}
+
+FluidState PoreFluid::state() const {
+  return {{solution_.begin(), solution_.end()}, system_.level, {refreshed, rebuilt, iterations, solves}};
+}
+
+void PoreFluid::restore(const FluidState& state) {
+  if (state.above_level.size() != system_.unknowns())
+    throw InputError(fmt::format("the checkpoint has \"{}\" unknown pressures, the scene {}: other faces have theirs "
+                                 "imposed",
+                                 state.above_level.size(), system_.unknowns()));
+  std::ranges::copy(state.above_level, solution_.begin());
+  if (state.level != system_.level) // other pressures are imposed now
+    solution_.array() += state.level - system_.level;
+  start_from_solution();
+  refreshed = state.counts.refreshed;
+  rebuilt = state.counts.rebuilt;
+  iterations = state.counts.iterations;
+  solves = state.counts.solves;
 }
 
 void PoreFluid::impose(Face face, double pressure) {

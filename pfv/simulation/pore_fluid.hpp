@@ -31,6 +31,16 @@ struct FluidScene {
   double rebuild_drift = 0.05;  // and before they are triangulated anew
 };
 
+/// What a fluid remembers of what has been, in pores that are triangulated anew.
+struct FluidState {
+  struct Counts {
+    std::size_t refreshed, rebuilt, iterations, solves;
+  };
+  std::vector<double> above_level; // Pa, the unknown pressures
+  double level = 0;                // Pa
+  Counts counts{};
+};
+
 /// The fluid between grains that move: continuity in every pore, A p = - B v, as of eq. (10) of Catalano et al. 2011
 /// with SolidFlux for the rates of volume, and the forces B^T p.
 ///
@@ -44,6 +54,13 @@ public:
 
   /// Renews the pores if grains have moved; nothing otherwise. Along periodic axes grains may have left the box.
   void follow(const Packing& packing, Clock& clock);
+
+  /// Triangulates anew, as `follow` does when grains have moved far: the pores then depend on nothing but where grains
+  /// are, so a fluid made there and given the state goes on alike.
+  void renew(const Packing& packing, Clock& clock);
+  FluidState state() const;
+  /// Throws InputError when the state is of other pores.
+  void restore(const FluidState& state);
 
   /// Imposes another pressure (Pa) on a face that has one. Throws InputError when it has none.
   void impose(Face face, double pressure);
@@ -68,6 +85,7 @@ public:
 
 private:
   void build(const Packing& packing, Clock& clock);
+  void start_from_solution();
   Packing in_box(const Packing& packing) const;
   void assemble_and_factor(Clock& clock);
   void factor();

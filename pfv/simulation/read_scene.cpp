@@ -172,6 +172,8 @@ std::optional<FluidScene> read_fluid_scene(const std::filesystem::path& file, co
   fluid.faces = read_fluid_faces(flow, faces, packing.box, periodic);
   if (const toml::node* points = root.get("pressure_points"))
     fluid.pressure_points = read_pressure_points(*points, packing.box);
+  if (const auto* table = part(root, "pfv"))
+    allow_keys(*table, "[pfv] of a scene", {"conductance", "walls"});
   fluid.options = read_flow_options(file, {});
   if (const auto* table = part(root, "compressible_fluid")) {
     allow_keys(*table, "[compressible_fluid]", {"bulk_modulus"});

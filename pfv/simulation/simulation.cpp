@@ -37,6 +37,19 @@ void require_fluid_to_repeat_with_grains(const Scene& scene) {
     throw InputError("grains and fluid must be periodic along the same axes");
 }
 
+GrainCycle cycle_from(const Checkpoint& checkpoint, const Scene& scene) {
+  require_same_grains(checkpoint, scene);
+  GrainCycle cycle(checkpoint.grains, scene.grains);
+  cycle.contacts.restore(checkpoint.contacts);
+  cycle.contacts.renew(cycle.grains);
+  cycle.loads = checkpoint.loads;
+  cycle.on_wall = checkpoint.on_wall;
+  cycle.energy = checkpoint.energy;
+  cycle.broken_bonds = checkpoint.broken_bonds;
+  cycle.time = checkpoint.time;
+  return cycle;
+}
+
 } // namespace
 
 double StepLimits::both() const {
@@ -64,6 +77,32 @@ Simulation::Simulation(const Scene& scene, GrainCycle start) : scene_(scene), cy
     per_mass_ = per_mass(cycle_);
   }
   choose_step();
+}
+
+Simulation::Simulation(const Scene& scene, const Checkpoint& from) : Simulation(scene, cycle_from(from, scene)) {
+  steps_ = from.steps;
+  if (!fluid_ || !from.fluid)
+    return;
+  fluid_->restore(*from.fluid);
+  choose_step();
+}
+
+Checkpoint Simulation::checkpoint() {
+  cycle_.contacts.renew(cycle_.grains);
+  if (fluid_)
+    fluid_->renew(cycle_.grains.packing, clock_);
+  Checkpoint saved{cycle_.grains,
+                   cycle_.scene.cohesion,
+                   cycle_.contacts.memory(),
+                   cycle_.loads,
+                   cycle_.on_wall,
+                   cycle_.energy,
+                   cycle_.broken_bonds,
+                   steps_,
+                   cycle_.time,
+                   fluid_ ? std::optional(fluid_->state()) : std::nullopt};
+  choose_step();
+  return saved;
 }
 
 void Simulation::choose_step() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pfv/simulation/checkpoint.hpp"
 #include "pfv/simulation/grain_cycle.hpp"
 #include "pfv/simulation/pore_fluid.hpp"
 
@@ -52,9 +53,15 @@ public:
   explicit Simulation(const Scene& scene);
   /// Goes on from grains as another run left them, springs included; the scene's own packing is not used.
   Simulation(const Scene& scene, GrainCycle start);
+  /// Goes on as the run that was saved does, bit for bit when the scene is the same. Where only this one has a fluid,
+  /// that starts in a steady flow. Throws InputError when the checkpoint is of other grains.
+  Simulation(const Scene& scene, const Checkpoint& from);
 
   /// One step of `step()` seconds. Throws SolveError naming the limit when the run has left stability.
   void advance();
+
+  /// What is needed to go on from here. Pores, candidates and step are found anew, as they are by who goes on from it.
+  Checkpoint checkpoint();
 
   /// Imposes another pressure (Pa) on a face that has one, from the next step on.
   void impose(Face face, double pressure) { fluid_.value().impose(face, pressure); }
