@@ -48,7 +48,7 @@ struct FilmResistance {
 inline FilmResistance film_resistance(double viscosity, double a, double h) {
   constexpr double zeta_3 = 1.2020569031595942;
   const double scale = std::numbers::pi * viscosity, logarithm = std::log(a / h);
-  return {1.5 * scale * a * a / h, scale * (-a + (a + 0.5 * h) * std::log1p(2 * a / h)),
+  return {1.5 * scale * a * a / h, scale * (-a + (a + 0.5 * h) * std::log((2 * a + h) / h)),
           scale * a * a * (0.6 * a + 0.504 * h) * logarithm, scale * a * a * (zeta_3 * a - h * logarithm)};
 }
 
