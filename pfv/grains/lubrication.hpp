@@ -42,9 +42,10 @@ struct FilmResistance {
 ///
 /// Normal and shear: Marzougui, Chareyre & Chauchat, Granular Matter 17 (2015) 447, after Frankel & Acrivos (1967). All
 /// have the singular terms of Jeffrey & Onishi, J. Fluid Mech. 139 (1984) 261, at any ratio of the radii (see
-/// film_load). Two differ from what Marzougui et al. print: their roll has 3/2 and 63/500 where J. & O.,
-/// 8 pi mu a^3 (Y^C_11 - Y^C_12) / 2, give 3/5 and 63/125; and their twist is + pi mu a^2 h ln(a / h), the second term
-/// alone and with the other sign, where the spin of one sphere turns the other by 8 pi mu a^3 X^C_12.
+/// film_load). Two differ from what is usually coded beside them, as by the original implementation: roll has 3/2 and
+/// 63/500 there (3/20 and 63/500 with its pores) where J. & O., 8 pi mu a^3 (Y^C_11 - Y^C_12) / 2, give 3/5 and 63/125;
+/// and twist is + pi mu a^2 h ln(a / h), the second term alone and with the other sign, where the spin of one sphere
+/// turns the other by 8 pi mu a^3 X^C_12.
 inline FilmResistance film_resistance(double viscosity, double a, double h) {
   constexpr double zeta_3 = 1.2020569031595942;
   const double scale = std::numbers::pi * viscosity, logarithm = std::log(a / h);
