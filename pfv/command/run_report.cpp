@@ -16,6 +16,15 @@ std::string words(const Vec3& v) {
   return fmt::format("{:g} {:g} {:g}", v.x(), v.y(), v.z());
 }
 
+std::string words(const StepLimits& limits) {
+  std::string text = fmt::format("{:.3g} s of the contacts", limits.contact);
+  if (limits.viscous)
+    text += fmt::format(", {:.3g} s of the fluid", *limits.viscous);
+  if (limits.lubrication)
+    text += fmt::format(", {:.3g} s of the lubrication", *limits.lubrication);
+  return text;
+}
+
 double mean_pressure(const Simulation& simulation) {
   const auto& fluid = *simulation.fluid();
   const auto& volume = fluid.network().pores.void_volume;
@@ -43,6 +52,14 @@ std::vector<std::string> effects_of(const Scene& scene) {
     effects.push_back(fmt::format("gravity, {} m/s^2", words(grains.gravity->acceleration)));
   if (grains.buoyancy)
     effects.push_back(fmt::format("buoyancy, {:g} kg/m^3", grains.buoyancy->fluid_density));
+  if (grains.lubrication) {
+    std::vector<std::string_view> resists;
+    for (const FilmMotion motion : grains.lubrication->resists)
+      resists.push_back(film_motion_names[static_cast<std::size_t>(motion)]);
+    effects.push_back(fmt::format("lubrication, {:g} Pa s, gaps of {:g} to {:g} of the smaller radius, {}",
+                                  grains.lubrication->viscosity, grains.lubrication->roughness,
+                                  grains.lubrication->reach, fmt::join(resists, ", ")));
+  }
   if (scene.fluid) {
     effects.push_back(
         fmt::format("pressure and viscous force, {:g} Pa s, {}", scene.fluid->fluid.viscosity, name_of(scene.scheme)));
@@ -62,8 +79,7 @@ std::string opening_report(const Scene& scene, const Simulation& simulation) {
   for (const std::string& effect : effects_of(scene))
     line("effect", effect);
   const StepLimits& limits = simulation.limits();
-  line("limit", fmt::format("{:.3g} s of the contacts{}", limits.contact,
-                            limits.viscous ? fmt::format(", {:.3g} s of the fluid", *limits.viscous) : ""));
+  line("limit", words(limits));
   line("step", fmt::format("{:.3g} s", simulation.step()));
   if (simulation.steps() > 0)
     line("goes on", fmt::format("from {:.6g} s after {} steps", simulation.grains().time, simulation.steps()));
@@ -82,6 +98,8 @@ std::string closing_report(const Simulation& simulation) {
   line("unbalanced", fmt::format("{:.3g}", cycle.unbalanced_force()));
   if (cycle.scene.cohesion)
     line("broken bonds", fmt::format("{}", cycle.broken_bonds));
+  if (const auto& films = cycle.films)
+    line("films", fmt::format("{}, {} of them at the roughness", films->count, films->at_roughness));
   if (const auto& fluid = simulation.fluid()) {
     line("pressure", fmt::format("{:.6g} Pa, mean over the fluid", mean_pressure(simulation)));
     line("pores renewed",
@@ -91,8 +109,9 @@ std::string closing_report(const Simulation& simulation) {
   }
   line("energy", fmt::format("{:.6g} J of loads, {:.6g} J of weight", energy.loads, energy.gravity));
   line("", fmt::format("{:.6g} J kinetic, {:.6g} J elastic", kinetic, elastic));
-  line("", fmt::format("lost: {:.6g} J in friction, {:.6g} J in contact damping, {:.6g} J in local damping{}",
+  line("", fmt::format("lost: {:.6g} J in friction, {:.6g} J in contact damping, {:.6g} J in local damping{}{}",
                        energy.friction, energy.contact_damping, energy.local_damping,
+                       cycle.films ? fmt::format(", {:.6g} J in lubrication", energy.lubrication) : "",
                        simulation.fluid() ? fmt::format(", {:.6g} J to the fluid", energy.fluid) : ""));
   text += "cpu seconds\n";
   for (const auto& stage : simulation.clock().stages())
@@ -111,6 +130,8 @@ std::string json_report(const Scene& scene, const Simulation& simulation) {
   json["contact_limit"] = simulation.limits().contact;
   if (simulation.limits().viscous)
     json["viscous_limit"] = *simulation.limits().viscous;
+  if (simulation.limits().lubrication)
+    json["lubrication_limit"] = *simulation.limits().lubrication;
   json["step"] = simulation.step();
   json["steps"] = simulation.steps();
   json["time"] = cycle.time;
@@ -119,6 +140,8 @@ std::string json_report(const Scene& scene, const Simulation& simulation) {
   json["unbalanced_force"] = cycle.unbalanced_force();
   if (cycle.scene.cohesion)
     json["broken_bonds"] = cycle.broken_bonds;
+  if (const auto& films = cycle.films)
+    json["films"] = {{"count", films->count}, {"at_roughness", films->at_roughness}};
   if (const auto& fluid = simulation.fluid()) {
     json["mean_pressure"] = mean_pressure(simulation);
     json["pores"] = fluid->network().pores.size();
@@ -133,6 +156,8 @@ std::string json_report(const Scene& scene, const Simulation& simulation) {
                     {"friction", cycle.energy.friction},
                     {"contact_damping", cycle.energy.contact_damping},
                     {"local_damping", cycle.energy.local_damping}};
+  if (cycle.films)
+    json["energy"]["lubrication"] = cycle.energy.lubrication;
   if (simulation.fluid())
     json["energy"]["fluid"] = cycle.energy.fluid;
   auto& stages = json["stages"] = nlohmann::ordered_json::object();
@@ -145,7 +170,7 @@ std::string json_report(const Scene& scene, const Simulation& simulation) {
 
 std::string history_header() {
   return "time,size_x,size_y,size_z,contacts,unbalanced_force,kinetic,elastic,loads,weight,friction,contact_damping,"
-         "local_damping,fluid,mean_pressure\n";
+         "local_damping,lubrication,fluid,mean_pressure\n";
 }
 
 std::string history_row(const Simulation& simulation) {
@@ -153,10 +178,11 @@ std::string history_row(const Simulation& simulation) {
   const auto [kinetic, elastic] = stored(simulation);
   const Vec3 size = cycle.grains.packing.box.size();
   const EnergyBalance& energy = cycle.energy;
-  return fmt::format("{},{},{},{},{},{:.4g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{},{}\n", cycle.time,
+  return fmt::format("{},{},{},{},{},{:.4g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{},{},{}\n", cycle.time,
                      size.x(), size.y(), size.z(), contact_list(cycle.grains, cycle.contacts).size(),
                      cycle.unbalanced_force(), kinetic, elastic, energy.loads, energy.gravity, energy.friction,
                      energy.contact_damping, energy.local_damping,
+                     cycle.films ? fmt::format("{:.9g}", energy.lubrication) : "",
                      simulation.fluid() ? fmt::format("{:.9g}", energy.fluid) : "",
                      simulation.fluid() ? fmt::format("{:.9g}", mean_pressure(simulation)) : "");
 }

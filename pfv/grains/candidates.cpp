@@ -13,7 +13,7 @@ struct SizeClass {
   Cells cells;
 };
 
-std::vector<SizeClass> size_classes(const Grains& grains, double margin) {
+std::vector<SizeClass> size_classes(const Grains& grains, double margin, double reach) {
   std::vector<std::vector<int>> members;
   double largest = 0;
   for (const Sphere& sphere : grains.packing.spheres)
@@ -28,7 +28,7 @@ std::vector<SizeClass> size_classes(const Grains& grains, double margin) {
   for (std::size_t octave = 0; octave < members.size(); ++octave)
     if (!members[octave].empty()) {
       const double radius = std::ldexp(largest, -static_cast<int>(octave));
-      classes.push_back({radius, Cells(grains, members[octave], 2 * radius + margin)});
+      classes.push_back({radius, Cells(grains, members[octave], (2 + reach) * radius + margin)});
     }
   return classes;
 }
@@ -49,8 +49,9 @@ void take_over(const CandidatePairs& before, std::size_t i, CandidatePairs& pair
 
 } // namespace
 
-CandidatePairs candidate_pairs(const Grains& grains, double margin, const CandidatePairs& before) {
-  const auto classes = size_classes(grains, margin);
+CandidatePairs candidate_pairs(const Grains& grains, double margin, const CandidatePairs& before, double reach) {
+  const auto classes = size_classes(grains, margin, reach);
+  const auto farthest = [&](double a, double b) { return a + b + margin + reach * std::min(a, b); };
   const bool has_history = !before.start.empty();
   CandidatePairs pairs;
   pairs.start.reserve(grains.size() + 1);
@@ -60,12 +61,12 @@ CandidatePairs candidate_pairs(const Grains& grains, double margin, const Candid
     const Sphere& a = grains.sphere(i);
     const auto first = static_cast<std::ptrdiff_t>(pairs.other.size());
     for (const SizeClass& of_size : classes)
-      of_size.cells.visit_around(a.centre, a.radius + of_size.largest + margin, [&](int j) {
+      of_size.cells.visit_around(a.centre, farthest(a.radius, of_size.largest), [&](int j) {
         if (j <= static_cast<int>(i))
           return;
         const Sphere& b = grains.sphere(j);
-        const double reach = a.radius + b.radius + margin;
-        if ((b.centre + image_offset(grains, a.centre, b.centre) - a.centre).squaredNorm() < reach * reach)
+        const double most = farthest(a.radius, b.radius);
+        if ((b.centre + image_offset(grains, a.centre, b.centre) - a.centre).squaredNorm() < most * most)
           pairs.other.push_back(j);
       });
     if (has_history)
@@ -88,7 +89,7 @@ CandidatePairs candidate_pairs(const Grains& grains, double margin, const Candid
   return pairs;
 }
 
-CandidateWalls candidate_walls(const Grains& grains, double margin, const CandidateWalls& before) {
+CandidateWalls candidate_walls(const Grains& grains, double margin, const CandidateWalls& before, double reach) {
   CandidateWalls walls;
   for (const Face face : all_faces) {
     const int axis = index(axis_of(face));
@@ -99,7 +100,7 @@ CandidateWalls candidate_walls(const Grains& grains, double margin, const Candid
     auto known = old.begin();
     for (std::size_t i = 0; i < grains.size(); ++i) {
       const Sphere& sphere = grains.sphere(i);
-      if (std::abs(sphere.centre[axis] - wall) - sphere.radius > margin)
+      if (std::abs(sphere.centre[axis] - wall) - sphere.radius > margin + reach * sphere.radius)
         continue;
       while (known != old.end() && known->grain < static_cast<int>(i))
         ++known;

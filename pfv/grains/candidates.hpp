@@ -10,8 +10,9 @@ namespace pfv {
 /// What a contact remembers.
 enum class Bond : std::uint8_t { none, touching, cemented };
 
-/// Pairs of grains that may touch before some grain or wall has moved by half of `margin`, by the first of the two:
-/// those of grain i are start[i] ... start[i + 1] - 1, in ascending order of the other.
+/// Pairs of grains that may touch, or come within reach of one another, before some grain or wall has moved by half of
+/// `margin`, by the first of the two: those of grain i are start[i] ... start[i + 1] - 1, in ascending order of the
+/// other. The reach is a share of the smaller radius.
 struct CandidatePairs {
   std::vector<int> start;
   std::vector<int> other;
@@ -38,7 +39,9 @@ struct CandidateWalls {
 
 /// Linear in the number of grains: a grid of cells for each class of sizes, a class twice as coarse as the next, so
 /// that few large grains do not make all cells large. What touches keeps its springs.
-CandidatePairs candidate_pairs(const Grains& grains, double margin, const CandidatePairs& before = {});
-CandidateWalls candidate_walls(const Grains& grains, double margin, const CandidateWalls& before = {});
+CandidatePairs candidate_pairs(const Grains& grains, double margin, const CandidatePairs& before = {},
+                               double reach = 0);
+CandidateWalls candidate_walls(const Grains& grains, double margin, const CandidateWalls& before = {},
+                               double reach = 0);
 
 } // namespace pfv

@@ -144,6 +144,13 @@ ContactLosses Contacts::add_forces(const Grains& grains, double step, std::vecto
   return losses;
 }
 
+void Contacts::set_reach(double reach, const Grains& grains) {
+  if (reach == reach_)
+    return;
+  reach_ = reach;
+  renew(grains);
+}
+
 void Contacts::renew_if_moved(const Grains& grains, double step) {
   double fastest = 0;
   for (const Velocity& velocity : grains.velocity)
@@ -166,8 +173,8 @@ void Contacts::renew_if_moved(const Grains& grains, double step) {
 }
 
 void Contacts::renew(const Grains& grains) {
-  memory_.pairs = candidate_pairs(grains, margin_, memory_.pairs);
-  memory_.at_walls = candidate_walls(grains, margin_, memory_.at_walls);
+  memory_.pairs = candidate_pairs(grains, margin_, memory_.pairs, reach_);
+  memory_.at_walls = candidate_walls(grains, margin_, memory_.at_walls, reach_);
   memory_.reference.resize(grains.size());
   for (std::size_t i = 0; i < grains.size(); ++i)
     memory_.reference[i] = grains.sphere(i).centre;

@@ -45,6 +45,8 @@ public:
     law_ = law;
     wall_friction_ = wall_friction;
   }
+  /// From now on candidates are all within this share of the smaller radius, for whatever else acts between them.
+  void set_reach(double reach, const Grains& grains);
 
 private:
   void renew_if_moved(const Grains& grains, double step);
@@ -52,6 +54,7 @@ private:
   ContactLaw law_;
   double wall_friction_;
   std::optional<Cohesion> cohesion_;
+  double reach_ = 0;
   double margin_; // m
   Memory memory_;
 };

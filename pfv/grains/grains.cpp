@@ -10,20 +10,18 @@
 
 namespace pfv {
 
-namespace {
-
-void require_wide(const Packing& packing, const PeriodicAxes& periodic) {
+void require_wide(const Packing& packing, const PeriodicAxes& periodic, double reach) {
   double largest = 0;
   for (const Sphere& sphere : packing.spheres)
     largest = std::max(largest, sphere.radius);
+  const double diameters = 2.2 + reach;
   for (int axis = 0; axis < 3; ++axis)
-    if (const double width = packing.box.size()[axis]; periodic[axis] && width < 4.4 * largest)
-      throw InputError(fmt::format("the box \"{}\" along its periodic axis {} must be at least 2.2 diameters of the "
+    if (const double width = packing.box.size()[axis]; periodic[axis] && width < 2 * diameters * largest)
+      throw InputError(fmt::format("the box \"{}\" along its periodic axis {} must be at least {} diameters of the "
                                    "largest grain wide, \"{}\"",
-                                   shortest(width), axis_names[axis], shortest(4.4 * largest)));
+                                   shortest(width), axis_names[axis], shortest(diameters),
+                                   shortest(2 * diameters * largest)));
 }
-
-} // namespace
 
 Grains grains_of(const Packing& packing, double density, const PeriodicAxes& periodic) {
   require_wide(packing, periodic);

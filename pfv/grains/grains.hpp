@@ -42,6 +42,10 @@ inline double volume(const Sphere& sphere) {
   return 4 * std::numbers::pi / 3 * sphere.radius * sphere.radius * sphere.radius;
 }
 
+/// Throws InputError when a periodic box is so narrow that a grain would meet another one twice: as it touches it, or
+/// within `reach`, a share of the smaller radius.
+void require_wide(const Packing& packing, const PeriodicAxes& periodic, double reach = 0);
+
 /// At rest. Density in kg/m^3, positive. Throws InputError when a periodic box is less than 2.2 diameters of its
 /// largest sphere wide, as a grain would then touch another one twice.
 Grains grains_of(const Packing& packing, double density, const PeriodicAxes& periodic = {});

@@ -40,6 +40,7 @@ GrainCycle::GrainCycle(Grains of_grains, const GrainScene& of_scene)
 void GrainCycle::set_scene(const GrainScene& next) {
   scene = next;
   contacts.set_law(scene.law, scene.walls.friction);
+  set_films();
   weight = weights(grains, scene);
   for (const Face face : all_faces) {
     const auto* moving = std::get_if<MovingWall>(&scene.walls.motion[index(face)]);
@@ -48,16 +49,31 @@ void GrainCycle::set_scene(const GrainScene& next) {
   }
 }
 
+void GrainCycle::set_films() {
+  films.reset();
+  if (scene.lubrication) {
+    require_wide(grains.packing, grains.periodic, scene.lubrication->reach);
+    films.emplace(*scene.lubrication, grains.size());
+  }
+  contacts.set_reach(scene.lubrication ? scene.lubrication->reach : 0, grains);
+}
+
 void GrainCycle::load(double step, Clock& clock) {
-  const auto timing = clock.stage("contacts");
-  loads.assign(grains.size(), {});
-  on_wall.fill(0);
-  const ContactLosses losses = contacts.add_forces(grains, step, loads, on_wall);
-  energy.friction += losses.friction;
-  energy.contact_damping += losses.damping;
-  broken_bonds += losses.broken_bonds;
-  for (std::size_t i = 0; i < weight.size(); ++i)
-    loads[i].force += weight[i];
+  {
+    const auto timing = clock.stage("contacts");
+    loads.assign(grains.size(), {});
+    on_wall.fill(0);
+    const ContactLosses losses = contacts.add_forces(grains, step, loads, on_wall);
+    energy.friction += losses.friction;
+    energy.contact_damping += losses.damping;
+    broken_bonds += losses.broken_bonds;
+    for (std::size_t i = 0; i < weight.size(); ++i)
+      loads[i].force += weight[i];
+  }
+  if (!films)
+    return;
+  const auto timing = clock.stage("lubrication");
+  films->add_forces(grains, contacts.memory().pairs, contacts.memory().at_walls, loads, on_wall);
 }
 
 void GrainCycle::kick(double step, Clock& clock) {
@@ -92,6 +108,10 @@ void GrainCycle::damp(std::span<const Vec3> bodies_before, std::span<const Veloc
 }
 
 void GrainCycle::drift(double step, Clock& clock) {
+  if (films) {
+    const auto timing = clock.stage("lubrication");
+    energy.lubrication += films->taken(grains, step);
+  }
   const auto timing = clock.stage("motion");
   for (const Face face : all_faces)
     if (std::holds_alternative<MovingWall>(scene.walls.motion[index(face)]))
@@ -110,6 +130,12 @@ void GrainCycle::advance(double step, Clock& clock) {
 
 double GrainCycle::contact_limit() const {
   return 2 / std::sqrt(largest_square_frequency(grains, contacts));
+}
+
+std::optional<double> GrainCycle::lubrication_limit() const {
+  if (!films)
+    return std::nullopt;
+  return 2 / films->largest_rate(grains, scene.walls, contacts.memory().pairs, contacts.memory().at_walls);
 }
 
 double GrainCycle::unbalanced_force() const {

@@ -2,6 +2,7 @@
 
 #include "pfv/clock.hpp"
 #include "pfv/grains/contacts.hpp"
+#include "pfv/grains/films.hpp"
 #include "pfv/grains/motion.hpp"
 #include "pfv/problem/case.hpp"
 
@@ -24,6 +25,7 @@ struct GrainScene {
   std::optional<Cohesion> cohesion;
   std::optional<Gravity> gravity;
   std::optional<Buoyancy> buoyancy;
+  std::optional<Lubrication> lubrication;
 
   bool operator==(const GrainScene&) const = default;
 };
@@ -36,15 +38,17 @@ struct EnergyBalance {
   double friction = 0; // lost in contacts that slip
   double contact_damping = 0;
   double local_damping = 0;
-  double fluid = 0; // taken by the fluid, with what its imposed pressures did
+  double lubrication = 0; // dissipated in the films between grains
+  double fluid = 0;       // taken by the fluid, with what its imposed pressures did
 
-  double lost() const { return friction + contact_damping + local_damping + fluid; }
+  double lost() const { return friction + contact_damping + local_damping + lubrication + fluid; }
 };
 
-/// Grains, contacts and motion of a scene, advanced by leapfrog: stages `contacts` and `motion`, no others.
+/// Grains, contacts and motion of a scene, advanced by leapfrog: stages `contacts` and `motion`, with films
+/// `lubrication`, no others.
 ///
-/// A step is load (contacts and weight where grains are now), kick (velocities by these loads), whatever else changes
-/// velocities, and drift (positions).
+/// A step is load (contacts, films and weight where grains are now), kick (velocities by these loads), whatever else
+/// changes velocities, and drift (positions).
 class GrainCycle {
 public:
   GrainCycle(const Packing& packing, const GrainScene& scene);
@@ -68,18 +72,24 @@ public:
 
   /// Longest stable step (s) of the contacts alone: 2 / frequency.
   double contact_limit() const;
+  /// Of the films alone; nothing without.
+  std::optional<double> lubrication_limit() const;
   /// Mean resultant force on a grain over the mean contact force, of the last load.
   double unbalanced_force() const;
 
   Grains grains;
   Contacts contacts;
   GrainScene scene;
+  std::optional<Films> films;
   std::vector<Vec3> weight; // N, with buoyancy; empty without either
   std::vector<Load> loads;
   std::array<double, 6> on_wall{}; // N, along the axis
   EnergyBalance energy;
   std::size_t broken_bonds = 0;
   double time = 0; // s
+
+private:
+  void set_films();
 };
 
 } // namespace pfv

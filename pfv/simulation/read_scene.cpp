@@ -6,8 +6,10 @@
 #include "pfv/problem/text.hpp"
 #include "pfv/problem/toml_input.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <limits>
 
 namespace pfv {
@@ -29,8 +31,8 @@ double number(const toml::table& table, std::string_view key, double otherwise, 
   return value;
 }
 
-double positive(const toml::table& table, std::string_view key, double otherwise) {
-  return number(table, key, otherwise, 0, unbounded, true);
+double positive(const toml::table& table, std::string_view key, double otherwise, double most = unbounded) {
+  return number(table, key, otherwise, 0, most, true);
 }
 
 const toml::table* part(const toml::table& root, std::string_view name) {
@@ -101,6 +103,38 @@ Walls read_walls(const toml::table& table, double mass_of_grains) {
   return walls;
 }
 
+FilmMotion read_film_motion(const toml::node& node) {
+  const std::string name = as_text(node, "resists");
+  const auto found = std::ranges::find(film_motion_names, name);
+  if (found == film_motion_names.end())
+    fail_at(node, fmt::format("resists \"{}\" is not one of {}", name, fmt::join(film_motion_names, ", ")));
+  return all_film_motions[found - film_motion_names.begin()];
+}
+
+/// The films are of the scene's fluid, which may flow between the grains or, where no flow is asked for, only be there.
+Lubrication read_lubrication(const toml::table& table, const toml::table& root) {
+  allow_keys(table, "[lubrication]", {"roughness", "reach", "resists"});
+  const toml::table* fluid = part(root, "fluid");
+  if (!fluid || !fluid->contains("viscosity"))
+    fail_at(table, "[lubrication] needs the viscosity (Pa s) of [fluid]");
+  Lubrication films{read_fluid(root).viscosity};
+  films.reach = positive(table, "reach", films.reach, 1);
+  films.roughness = positive(table, "roughness", films.roughness, 1);
+  if (films.roughness >= films.reach)
+    fail_at(table, fmt::format("roughness \"{}\" must be below reach \"{}\"", shortest(films.roughness),
+                               shortest(films.reach)));
+  if (const toml::node* node = table.get("resists")) {
+    films.resists.clear();
+    const toml::array* list = node->as_array();
+    if (!list || list->empty())
+      fail_at(*node, fmt::format("resists \"{}\" must be a list of some of {}", quote(*node),
+                                 fmt::join(film_motion_names, ", ")));
+    for (const toml::node& name : *list)
+      films.resists.push_back(read_film_motion(name));
+  }
+  return films;
+}
+
 GrainScene read_grains(const toml::table& root, const Packing& packing) {
   GrainScene grains;
   if (const auto* table = part(root, "grains")) {
@@ -129,6 +163,8 @@ GrainScene read_grains(const toml::table& root, const Packing& packing) {
     grains.gravity = Gravity{as_vector(required(*table, "[gravity]", "acceleration"), "acceleration")};
   }
   grains.buoyancy = read_buoyancy(root);
+  if (const auto* table = part(root, "lubrication"))
+    grains.lubrication = read_lubrication(*table, root);
   return grains;
 }
 
@@ -162,8 +198,8 @@ std::optional<FluidScene> read_fluid_scene(const std::filesystem::path& file, co
   if (flow && faces)
     fail_at(*faces, "a scene has at most one of [flow] and [faces]");
   if (!flow && !faces) {
-    for (const char* key : {"fluid", "compressible_fluid", "pfv", "pressure_points"})
-      if (const toml::node* node = root.get(key))
+    for (const std::string_view key : {"fluid", "compressible_fluid", "pfv", "pressure_points"})
+      if (const toml::node* node = root.get(key); node && !(key == "fluid" && root.contains("lubrication")))
         fail_at(*node, fmt::format("[{}] needs [flow] or [faces]: without them the scene is dry", key));
     return std::nullopt;
   }
@@ -209,7 +245,7 @@ SceneFile read_scene(const std::filesystem::path& file) {
   const toml::table root = read_toml(file);
   allow_keys(root, "a scene",
              {"name", "packing", "grains", "contact", "walls", "local_damping", "cohesion", "gravity", "buoyancy",
-              "fluid", "flow", "faces", "pressure_points", "compressible_fluid", "pfv", "run"});
+              "lubrication", "fluid", "flow", "faces", "pressure_points", "compressible_fluid", "pfv", "run"});
   SceneFile read;
   Scene& scene = read.scene;
   scene.name = file.stem().string();

@@ -17,8 +17,8 @@ struct SceneFile {
   Duration duration;
 };
 
-/// Reads a scene from TOML. What it does not name is absent: without [flow] or [faces] there is no fluid, without
-/// [gravity] no weight. Throws InputError (file, line, value, what is allowed); unknown keys are errors.
+/// Reads a scene from TOML. What it does not name is absent: without [flow] or [faces] no fluid flows, without
+/// [gravity] there is no weight. Throws InputError (file, line, value, what is allowed); unknown keys are errors.
 SceneFile read_scene(const std::filesystem::path& file);
 
 } // namespace pfv

@@ -53,18 +53,17 @@ GrainCycle cycle_from(const Checkpoint& checkpoint, const Scene& scene) {
 
 } // namespace
 
-double StepLimits::both() const {
-  if (!viscous)
-    return contact;
-  const double frequency = 2 / contact, rate = 2 / *viscous;
+double StepLimits::joint() const {
+  const auto rate_of = [](const std::optional<double>& limit) { return limit ? 2 / *limit : 0; };
+  const double frequency = 2 / contact, rate = rate_of(viscous) + rate_of(lubrication);
   return 4 / (rate + std::hypot(rate, 2 * frequency));
 }
 
 double StepLimits::chosen() const {
-  StepLimits safe{0.3 * contact, std::nullopt};
-  if (viscous)
-    safe.viscous = 0.8 * *viscous;
-  return safe.both();
+  const auto safe = [](const std::optional<double>& limit) {
+    return limit ? std::optional(0.8 * *limit) : std::nullopt;
+  };
+  return StepLimits{0.3 * contact, safe(viscous), safe(lubrication)}.joint();
 }
 
 Simulation::Simulation(const Scene& scene) : Simulation(scene, GrainCycle(scene.packing, scene.grains)) {}
@@ -109,6 +108,7 @@ Checkpoint Simulation::checkpoint() {
 
 void Simulation::choose_step() {
   limits_.contact = cycle_.contact_limit();
+  limits_.lubrication = cycle_.lubrication_limit();
   if (fluid_ && std::holds_alternative<Explicit>(scene_.scheme))
     limits_.viscous = 2 / fluid_->largest_rate(per_mass_, clock_);
   step_ = scene_.step.value_or(limits_.chosen());
@@ -177,13 +177,16 @@ void Simulation::check_stability() {
   const double smallest = std::ranges::min(cycle_.grains.packing.spheres, {}, &Sphere::radius).radius;
   if (fastest * step_ < 0.5 * smallest)
     return;
-  const double both = limits_.both();
+  std::string limits = fmt::format("{:.3g} s of the contacts", limits_.contact);
+  if (limits_.viscous)
+    limits += fmt::format(", {:.3g} s of the fluid", *limits_.viscous);
+  if (limits_.lubrication)
+    limits += fmt::format(", {:.3g} s of the lubrication", *limits_.lubrication);
+  if (limits_.viscous || limits_.lubrication)
+    limits += fmt::format(", {:.3g} s of all together", limits_.joint());
   throw SolveError(fmt::format("left stability at {:.6g} s: a grain moves by {:.2g} of the smallest radius in a step "
-                               "of {:.3g} s; the limits are "
-                               "{:.3g} s of the contacts{}{}",
-                               cycle_.time, fastest * step_ / smallest, step_, limits_.contact,
-                               limits_.viscous ? fmt::format(", {:.3g} s of the fluid", *limits_.viscous) : "",
-                               limits_.viscous ? fmt::format(", {:.3g} s of both", both) : ""));
+                               "of {:.3g} s; the limits are {}",
+                               cycle_.time, fastest * step_ / smallest, step_, limits));
 }
 
 } // namespace pfv

@@ -37,12 +37,14 @@ struct Scene {
 
 /// The longest stable steps (s).
 struct StepLimits {
-  double contact;                // of contacts alone
-  std::optional<double> viscous; // of an explicit fluid alone
-  /// Of both: leapfrog with a lagging damper is stable while w^2 step^2 + 2 c step < 4.
-  double both() const;
+  double contact;                      // of contacts alone
+  std::optional<double> viscous{};     // of an explicit fluid alone
+  std::optional<double> lubrication{}; // of the films alone
+  /// Of all together: leapfrog with lagging dampers is stable while w^2 step^2 + 2 c step < 4, c being the sum of
+  /// rates.
+  double joint() const;
   /// The step that is taken: 0.3 of the contacts' limit, as friction and collisions want some twenty steps, 0.8 of the
-  /// fluid's, joined like the limits.
+  /// fluid's and of the films', joined like the limits.
   double chosen() const;
 };
 

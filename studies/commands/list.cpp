@@ -3,6 +3,7 @@
 
 #include "pfv/problem/error.hpp"
 #include "reference/method.hpp"
+#include "studies/effect_cost/effect_study.hpp"
 #include "studies/motion/experiment.hpp"
 #include "studies/runner/study_file.hpp"
 #include "studies/runner/table.hpp"
@@ -17,6 +18,11 @@ void add_list(CLI::App& app) {
     Table table{{{"study"}, {"cases", true}, {"title"}}, {}};
     for (const std::string& name : study_names()) {
       try {
+        if (is_effect_study(study_file(name))) {
+          const EffectStudy study = read_effect_study(study_file(name), false);
+          table.rows.push_back({name, fmt::format("{}", study.effects.size()), study.title});
+          continue;
+        }
         const Study study = read_study(study_file(name));
         table.rows.push_back({name, fmt::format("{}", study.cases.size()), study.title});
       } catch (const pfv::InputError& error) {

@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
   add_compare(app, invocation);
   add_report(app);
   add_answer(app, invocation);
+  add_steps(app, invocation);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

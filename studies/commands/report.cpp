@@ -1,10 +1,12 @@
 #include "studies/commands/commands.hpp"
 #include "studies/commands/conclude.hpp"
+#include "studies/commands/effects.hpp"
 #include "studies/commands/experiment.hpp"
 #include "studies/commands/study_place.hpp"
 
 #include "pfv/problem/error.hpp"
 #include "pfv/problem/text.hpp"
+#include "studies/effect_cost/effect_study.hpp"
 #include "studies/runner/files.hpp"
 #include "studies/runner/study_run.hpp"
 
@@ -31,9 +33,11 @@ void report_command(ReportOptions options) {
     return;
   }
   const std::filesystem::path file = study_file(options.name);
-  const Study study = read_study(file);
   if (options.work.root.empty())
     options.work.root = file.parent_path() / "work";
+  if (is_effect_study(file))
+    return report_effects_command(file, options.scope, options.work, options.publish, options.json);
+  const Study study = read_study(file);
   const std::vector<Row> rows = rows_of_plan(plan(study, options.scope), read_rows(options.work.rows()));
   if (rows.empty())
     throw pfv::InputError(fmt::format("{} holds no row of this plan; `study run {}` makes them",

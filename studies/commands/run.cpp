@@ -1,8 +1,10 @@
 #include "studies/commands/commands.hpp"
 #include "studies/commands/conclude.hpp"
+#include "studies/commands/effects.hpp"
 #include "studies/commands/experiment.hpp"
 #include "studies/commands/study_place.hpp"
 
+#include "studies/effect_cost/effect_study.hpp"
 #include "studies/runner/progress.hpp"
 #include "studies/runner/study_run.hpp"
 #include "studies/runner/terminal.hpp"
@@ -32,12 +34,14 @@ int run_command(RunOptions options) {
   if (const Experiment* experiment = experiment_named(options.name))
     return run_experiment(*experiment, options.scope.quick, options.settings.work.root);
   const std::filesystem::path file = study_file(options.name);
-  Study study = read_study(file);
-  study.budget.cpu_seconds = options.cpu_budget.value_or(study.budget.cpu_seconds);
-  study.budget.memory_bytes = options.memory_budget.value_or(study.budget.memory_bytes);
   WorkFolder& work = options.settings.work;
   if (work.root.empty())
     work.root = file.parent_path() / "work";
+  if (is_effect_study(file))
+    return run_effects_command(file, options.scope, options.settings, options.json);
+  Study study = read_study(file);
+  study.budget.cpu_seconds = options.cpu_budget.value_or(study.budget.cpu_seconds);
+  study.budget.memory_bytes = options.memory_budget.value_or(study.budget.memory_bytes);
 
   fmt::print(stderr, "{}: {}\n", study.name, study.title);
   std::vector<Row> rows;

@@ -19,12 +19,12 @@ std::set<std::pair<int, int>> pairs_of(const CandidatePairs& pairs) {
   return found;
 }
 
-std::set<std::pair<int, int>> by_brute_force(const Grains& grains, double margin) {
+std::set<std::pair<int, int>> by_brute_force(const Grains& grains, double margin, double share = 0) {
   std::set<std::pair<int, int>> found;
   for (int i = 0; i < static_cast<int>(grains.size()); ++i)
     for (int j = i + 1; j < static_cast<int>(grains.size()); ++j) {
       const Sphere &a = grains.sphere(i), &b = grains.sphere(j);
-      if ((a.centre - b.centre).norm() < a.radius + b.radius + margin)
+      if ((a.centre - b.centre).norm() < a.radius + b.radius + margin + share * std::min(a.radius, b.radius))
         found.emplace(i, j);
     }
   return found;
@@ -36,6 +36,7 @@ TEST(CandidatePairs, AreAllThatAreNearAtAnySizeRatio) {
         grains_of(random_packing({.spheres = 400, .solid_fraction = 0.3, .radius_ratio = ratio, .seed = 3}), 1000);
     const double margin = 0.3 * grains.packing.spheres.back().radius;
     EXPECT_EQ(pairs_of(candidate_pairs(grains, margin)), by_brute_force(grains, margin)) << ratio;
+    EXPECT_EQ(pairs_of(candidate_pairs(grains, margin, {}, 0.7)), by_brute_force(grains, margin, 0.7)) << ratio;
   }
 }
 

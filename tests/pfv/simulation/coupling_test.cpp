@@ -30,6 +30,8 @@ TEST(Coupling, DrySceneHasNeitherPoresNorStagesOfAFlow) {
   EXPECT_TRUE(simulation.fluid_forces().empty());
   EXPECT_TRUE(simulation.grains().weight.empty());
   EXPECT_FALSE(simulation.limits().viscous);
+  EXPECT_FALSE(simulation.limits().lubrication);
+  EXPECT_FALSE(simulation.grains().films);
 }
 
 TEST(Coupling, WorkOfLoadsIsStoredOrLostToTheFluidAndFriction) {
@@ -49,6 +51,71 @@ TEST(Coupling, WorkOfLoadsIsStoredOrLostToTheFluidAndFriction) {
     EXPECT_GT(cycle.energy.fluid, 0.1 * cycle.energy.loads);
     EXPECT_NEAR((stored + cycle.energy.lost()) / cycle.energy.loads, 1, 1e-3) << ratio;
   }
+}
+
+TEST(Coupling, LubricatedSceneWithoutAFlowHasNoPores) {
+  Scene scene = drained_box(100, 1.35, 1);
+  scene.fluid.reset();
+  scene.grains.lubrication = Lubrication{1};
+  Simulation simulation(scene);
+  for (int n = 0; n < 50; ++n)
+    simulation.advance();
+  EXPECT_EQ(stages_of(simulation), (std::vector<std::string>{"contacts", "lubrication", "motion"}));
+  EXPECT_GT(simulation.grains().energy.lubrication, 0);
+  EXPECT_LT(simulation.step(), 0.8 * *simulation.limits().lubrication);
+  EXPECT_FALSE(simulation.limits().viscous);
+}
+
+TEST(Coupling, FilmsAndPoresTakeTheWorkOfLoadsTogether) {
+  for (const TimeScheme& scheme : {TimeScheme(Explicit{}), TimeScheme(SemiImplicit{})}) {
+    Scene scene = drained_box(150, 1.35, 10);
+    scene.grains.lubrication = Lubrication{10};
+    scene.scheme = scheme;
+    scene.step = 0.1 * Simulation(scene).step();
+    Simulation simulation(scene);
+    double elastic = 0;
+    for (int n = 0; n < 4000; ++n) {
+      elastic = elastic_energy(simulation.grains().grains, simulation.grains().contacts);
+      simulation.advance();
+    }
+    const GrainCycle& cycle = simulation.grains();
+    elastic = 0.5 * (elastic + elastic_energy(cycle.grains, cycle.contacts));
+    const double stored = kinetic_energy(cycle.grains, cycle.scene.walls) + elastic;
+    EXPECT_GT(cycle.energy.lubrication, 0.01 * cycle.energy.loads);
+    EXPECT_GT(cycle.energy.fluid, 0.01 * cycle.energy.loads);
+    EXPECT_NEAR((stored + cycle.energy.lost()) / cycle.energy.loads, 1, 1e-3);
+  }
+}
+
+TEST(Coupling, LubricatedSceneIsStableAtItsOwnStep) {
+  for (const double viscosity : {0.1, 1000.0}) {
+    Scene scene = drained_box(80, 3, viscosity);
+    scene.grains.lubrication = Lubrication{viscosity};
+    scene.scheme = SemiImplicit{};
+    Simulation simulation(scene);
+    double highest = 0;
+    for (int n = 0; n < 2000; ++n) {
+      simulation.advance();
+      highest = std::max(highest, kinetic_energy(simulation.grains().grains, scene.grains.walls));
+      EXPECT_LE(kinetic_energy(simulation.grains().grains, scene.grains.walls), simulation.grains().energy.loads);
+    }
+    EXPECT_GT(highest, 0);
+    EXPECT_GE(simulation.grains().energy.lubrication, 0);
+  }
+}
+
+TEST(Coupling, LongStepOfStiffFilmsEndsInAMessageThatNamesThem) {
+  Scene scene = drained_box(100, 1.35, 1);
+  scene.fluid.reset();
+  scene.grains.lubrication = Lubrication{1000};
+  scene.step = 3 * *Simulation(scene).limits().lubrication;
+  Simulation simulation(scene);
+  const std::string message = message_of<SolveError>([&] {
+    for (int n = 0; n < 3000; ++n)
+      simulation.advance();
+  });
+  EXPECT_NE(message.find("left stability"), std::string::npos) << message;
+  EXPECT_NE(message.find("s of the lubrication"), std::string::npos) << message;
 }
 
 TEST(Coupling, FollowedPoresPushAsNewOnes) {

@@ -25,6 +25,7 @@ TEST(ReadScene, NamesNothingThatIsNotWritten) {
   EXPECT_FALSE(scene.grains.gravity);
   EXPECT_FALSE(scene.grains.buoyancy);
   EXPECT_FALSE(scene.grains.cohesion);
+  EXPECT_FALSE(scene.grains.lubrication);
   EXPECT_EQ(scene.grains.damping.share, 0);
   EXPECT_EQ(scene.grains.walls, Walls{});
 }
@@ -54,6 +55,10 @@ acceleration = [0, 0, -9.81]
 [buoyancy]
 fluid_density = 1000
 gravity = [0, 0, -9.81]
+[lubrication]
+roughness = 1e-3
+reach = 0.1
+resists = ["normal", "shear"]
 [fluid]
 viscosity = 10
 [flow]
@@ -76,12 +81,19 @@ step = 1e-3
   EXPECT_EQ(grains.cohesion, (Cohesion{1e4, 2e4}));
   EXPECT_EQ(grains.gravity, Gravity{Vec3(0, 0, -9.81)});
   EXPECT_EQ(grains.buoyancy, (Buoyancy{1000, Vec3(0, 0, -9.81)}));
+  EXPECT_EQ(grains.lubrication, (Lubrication{10, 1e-3, 0.1, {FilmMotion::normal, FilmMotion::shear}}));
   ASSERT_TRUE(file.scene.fluid);
   EXPECT_EQ(file.scene.fluid->fluid.viscosity, 10);
   EXPECT_EQ(file.scene.fluid->compressible, CompressibleFluid{2e9});
   EXPECT_TRUE(std::holds_alternative<SemiImplicit>(file.scene.scheme));
   EXPECT_EQ(file.scene.step, 1e-3);
   EXPECT_EQ(file.duration.until, 3);
+}
+
+TEST(ReadScene, LubricatesWithoutAFlow) {
+  const Scene scene = read(std::string(packing) + "[fluid]\nviscosity = 3\n[lubrication]\n").scene;
+  EXPECT_FALSE(scene.fluid);
+  EXPECT_EQ(scene.grains.lubrication, Lubrication{3});
 }
 
 TEST(ReadScene, RefusesInOneLineThatQuotesTheValue) {
@@ -99,6 +111,15 @@ TEST(ReadScene, RefusesInOneLineThatQuotesTheValue) {
   says("[walls]\nz_max = \"loose\"\n", "must be \"fixed\", { velocity = m/s } or { stress = Pa, mass = kg }");
   says("[local_damping]\nshare = 2\n", "share \"2\" must be at least 0 and at most 0.99");
   says("[fluid]\nviscosity = 1\n", "[fluid] needs [flow] or [faces]: without them the scene is dry");
+  says("[lubrication]\n", "[lubrication] needs the viscosity (Pa s) of [fluid]");
+  says("[fluid]\n[flow]\naxis = \"z\"\n[lubrication]\n", "[lubrication] needs the viscosity (Pa s) of [fluid]");
+  const std::string films = "[fluid]\nviscosity = 1\n[lubrication]\n";
+  says(films + "reach = 1.5\n", "reach \"1.5\" must be above 0 and at most 1");
+  says(films + "roughness = 0\n", "roughness \"0\" must be above 0");
+  says(films + "roughness = 0.5\nreach = 0.1\n", "roughness \"0.5\" must be below reach \"0.1\"");
+  says(films + "resists = []\n", "must be a list of some of normal, shear, roll, twist");
+  says(films + "resists = [\"squeeze\"]\n", "resists \"squeeze\" is not one of normal, shear, roll, twist");
+  says(films + "gap = 1\n", "gap");
   says("[flow]\naxis = \"z\"\n[run]\nscheme = \"magic\"\n", "\"magic\" is not one of explicit, semi-implicit");
   says("[run]\nsteps = 0\n", "steps \"0\" must be a whole number, 1 or more");
   says("[wind]\nspeed = 1\n", "wind");

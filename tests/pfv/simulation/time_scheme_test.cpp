@@ -15,7 +15,7 @@ TEST(TimeScheme, ExplicitIsStableJustBelowTheViscousLimitAndNotJustAbove) {
     const StepLimits limits = Simulation(scene).limits();
     ASSERT_LT(*limits.viscous, 0.2 * limits.contact);
     for (const double share : {0.97, 1.03}) {
-      scene.step = share * (share < 1 ? limits.both() : *limits.viscous);
+      scene.step = share * (share < 1 ? limits.joint() : *limits.viscous);
       Simulation simulation(scene);
       // Dissipation outgrows the work of the load a thousand times only when the step itself puts energy in.
       bool grown = false;
