@@ -81,6 +81,12 @@ TEST(Checkpoint, BondsGoOnBitForBit) {
   expect_to_go_on_alike(scene, steps);
 }
 
+TEST(Checkpoint, FilmsGoOnBitForBit) {
+  Scene scene = dry();
+  scene.grains.lubrication = Lubrication{1};
+  expect_to_go_on_alike(scene, 300);
+}
+
 TEST(Checkpoint, PeriodicGrainsGoOnBitForBit) {
   Scene scene = dry();
   scene.grains.walls.periodic = {false, true, false};
