@@ -100,7 +100,7 @@ TEST(Checkpoint, AnExplicitFluidGoesOnBitForBit) {
   scene.grains.walls.motion[index(Face::x_min)] = MovingWall{0.1};
   scene.fluid->refresh_drift = 1e-4; // so that pores are renewed and triangulated in a short run
   scene.fluid->rebuild_drift = 1e-2;
-  expect_to_go_on_alike(scene, 200);
+  expect_to_go_on_alike(scene, 50);
 }
 
 TEST(Checkpoint, ASemiImplicitFluidGoesOnBitForBit) {
@@ -110,7 +110,7 @@ TEST(Checkpoint, ASemiImplicitFluidGoesOnBitForBit) {
   scene.fluid->faces[index(Face::z_min)] = Pressure{50};
   scene.fluid->refresh_drift = 1e-4;
   scene.fluid->rebuild_drift = 1e-2;
-  expect_to_go_on_alike(scene, 200);
+  expect_to_go_on_alike(scene, 50);
 }
 
 TEST(Checkpoint, ACompressibleFluidInAPeriodicBoxGoesOnBitForBit) {
@@ -124,7 +124,7 @@ TEST(Checkpoint, ACompressibleFluidInAPeriodicBoxGoesOnBitForBit) {
   scene.fluid->faces[index(Face::x_min)] = scene.fluid->faces[index(Face::x_max)] = Periodic{};
   scene.fluid->refresh_drift = 1e-4;
   scene.fluid->rebuild_drift = 1e-2;
-  expect_to_go_on_alike(scene, 200);
+  expect_to_go_on_alike(scene, 50);
 }
 
 TEST(Checkpoint, LeavesGrainsAsTheyAre) {
