@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace pfv {
 namespace {
@@ -87,6 +88,7 @@ Simulation::Simulation(const Scene& scene, const Checkpoint& from) : Simulation(
 }
 
 Checkpoint Simulation::checkpoint() {
+  check_stability();
   cycle_.contacts.renew(cycle_.grains);
   if (fluid_)
     fluid_->renew(cycle_.grains.packing, clock_);
@@ -163,8 +165,14 @@ void Simulation::advance_with_fluid() {
 
 void Simulation::check_stability() {
   double fastest = 0;
-  for (const Velocity& velocity : cycle_.grains.velocity)
-    fastest = std::max(fastest, velocity.translation.squaredNorm());
+  for (const Velocity& velocity : cycle_.grains.velocity) {
+    const double square = velocity.translation.squaredNorm();
+    if (!std::isfinite(square)) {
+      fastest = std::numeric_limits<double>::infinity();
+      break;
+    }
+    fastest = std::max(fastest, square);
+  }
   fastest = std::sqrt(fastest);
   const double smallest = std::ranges::min(cycle_.grains.packing.spheres, {}, &Sphere::radius).radius;
   if (fastest * step_ < 0.5 * smallest)

@@ -63,6 +63,7 @@ public:
   void advance();
 
   /// What is needed to go on from here. Pores, candidates and step are found anew, as they are by who goes on from it.
+  /// Throws SolveError when the run has left stability, so that it does not take the place of a sound one.
   Checkpoint checkpoint();
 
   /// Imposes another pressure (Pa) on a face that has one, from the next step on.

@@ -81,6 +81,12 @@ TEST(Checkpoint, BondsGoOnBitForBit) {
   expect_to_go_on_alike(scene, steps);
 }
 
+TEST(Checkpoint, FilmsGoOnBitForBit) {
+  Scene scene = dry();
+  scene.grains.lubrication = Lubrication{1};
+  expect_to_go_on_alike(scene, 300);
+}
+
 TEST(Checkpoint, PeriodicGrainsGoOnBitForBit) {
   Scene scene = dry();
   scene.grains.walls.periodic = {false, true, false};
@@ -184,6 +190,14 @@ TEST(Checkpoint, KeepsPressuresWhereOthersAreImposed) {
     if (!system.known(i)) {
       EXPECT_NEAR(second.fluid()->pressure()[i], simulation.fluid()->pressure()[i], 1e-9);
     }
+}
+
+TEST(Checkpoint, OfARunThatLeftStabilityIsRefused) {
+  Scene scene = drained_box(60, 2, 20);
+  scene.step = 0.05;
+  Simulation simulation(scene);
+  advance(simulation, 19); // it looks at the twentieth
+  EXPECT_THROW(simulation.checkpoint(), SolveError);
 }
 
 TEST(Checkpoint, OfOtherPoresIsRefused) {

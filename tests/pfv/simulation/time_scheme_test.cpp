@@ -69,4 +69,15 @@ TEST(TimeScheme, SemiImplicitSettlesAlikeFarBeyondTheViscousLimit) {
   EXPECT_NEAR(settled(100 * *limits.viscous, SemiImplicit{}) / reference, 1, 0.02);
 }
 
+TEST(TimeScheme, NoticesGrainsThatAreNowhere) {
+  Scene scene;
+  scene.packing.spheres = {{{.5, .5, .5}, .2}, {{.5, .5, .5}, .1}}; // about one centre, so without a normal
+  Simulation simulation(scene);
+  const auto run = [&] {
+    for (int n = 0; n < 20; ++n)
+      simulation.advance();
+  };
+  EXPECT_THROW(run(), SolveError);
+}
+
 } // namespace
