@@ -6,7 +6,6 @@
 #include "pfv/problem/validate.hpp"
 #include "pfv/simulation/carry_over.hpp"
 #include "pfv/simulation/solid_term.hpp"
-#include "pfv/solvers/multigrid_solver.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -22,8 +21,7 @@ bool turned_around(const PoreNetwork& network, double allowed) {
 
 } // namespace
 
-PoreFluid::PoreFluid(const FluidScene& scene, const Packing& packing, Clock& clock)
-    : scene_(scene), preconditioner_(make_v_cycle(&solid_)) {
+PoreFluid::PoreFluid(const FluidScene& scene, const Packing& packing, Clock& clock) : scene_(scene) {
   validate_level(scene.faces, scene.pressure_points);
   for (const auto& condition : scene.faces) {
     if (std::holds_alternative<Flux>(condition))
@@ -37,11 +35,9 @@ PoreFluid::PoreFluid(const FluidScene& scene, const Packing& packing, Clock& clo
   build(packing, clock);
   solution_.setZero(static_cast<Eigen::Index>(system_.unknowns()));
   set_matrix({}, 1);
-  solver_.solve(matrix(), solid_, *preconditioner_, system_.right_side, scene_.tolerance, solution_);
+  solver_.solve(system_.right_side, scene_.tolerance, solution_);
   set_pore_pressures(system_, solution_, pressure_);
 }
-
-PoreFluid::~PoreFluid() = default;
 
 void PoreFluid::build(const Packing& packing, Clock& clock) {
   const PeriodicAxes periodic = periodic_axes(scene_.faces);
@@ -100,9 +96,8 @@ void PoreFluid::set_matrix(std::span<const double> per_mass, double step) {
     stored_.diagonal() += storage_ / step;
   }
   solid_ = implicit ? solid_term(flux_, system_, per_mass, step) : GramTerm{};
-  preconditioner_->analyse(matrix());
-  preconditioner_->factor(matrix());
-  increments_.renew([&](const Eigen::VectorXd& x, Eigen::VectorXd& y) { multiply(matrix(), solid_, x, of_block_, y); });
+  solver_.set(matrix(), solid_);
+  solver_.renew(increments_);
   of_step_ = step;
   matrix_is_set_ = true;
 }
@@ -180,8 +175,7 @@ const std::vector<Vec3>& PoreFluid::forces(std::span<const Vec3> velocity, std::
   {
     const auto timing = clock.stage("solve");
     set_matrix(per_mass, step);
-    iterations += static_cast<std::size_t>(
-        solver_.solve(matrix(), solid_, *preconditioner_, right_side_, scene_.tolerance, solution_, &increments_));
+    iterations += static_cast<std::size_t>(solver_.solve(right_side_, scene_.tolerance, solution_, &increments_));
     ++solves;
   }
   const auto timing = clock.stage("forces");
@@ -195,10 +189,11 @@ double PoreFluid::largest_rate(std::span<const double> per_mass, Clock& clock) {
   constexpr int most_steps = 100;
   constexpr double settled = 1e-3, tolerance = 1e-4;
   const auto size = static_cast<Eigen::Index>(system_.unknowns());
+  if (size == 0)
+    return 0;
   const GramTerm solid = solid_term(flux_, system_, per_mass, 1), none;
-  solid_ = {};
-  preconditioner_->factor(system_.matrix);
-  matrix_is_set_ = false;
+  PressureSolver solver;
+  solver.set(system_.matrix, none);
   if (mode_.size() != size) {
     mode_.resize(size);
     for (Eigen::Index i = 0; i < size; ++i)
@@ -206,13 +201,13 @@ double PoreFluid::largest_rate(std::span<const double> per_mass, Clock& clock) {
   }
   double rate = 0;
   Eigen::VectorXd resisted, pushed;
-  for (int n = 0; n < most_steps && size > 0; ++n) {
+  for (int n = 0; n < most_steps; ++n) {
     // x -> A^-1 B M^-1 B^T x, whose Rayleigh quotient in the norm of A is x.B M^-1 B^T x / x.A x.
     const double power = multiply(system_.matrix, none, mode_, of_block_, resisted);
     const double next = multiply(system_.matrix, solid, mode_, of_block_, pushed) / power - 1;
     pushed -= resisted;
     mode_ *= next;
-    solver_.solve(system_.matrix, none, *preconditioner_, pushed, tolerance, mode_);
+    solver.solve(pushed, tolerance, mode_);
     mode_ /= mode_.norm();
     const bool done = std::abs(next - rate) < settled * next && n > 10;
     rate = next;

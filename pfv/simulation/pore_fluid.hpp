@@ -8,9 +8,7 @@
 #include "pfv/simulation/neighbour_drift.hpp"
 #include "pfv/simulation/pressure_solver.hpp"
 #include "pfv/simulation/solid_flux.hpp"
-#include "pfv/solvers/preconditioner.hpp"
 
-#include <memory>
 #include <optional>
 
 namespace pfv {
@@ -43,7 +41,6 @@ struct FluidScene {
 class PoreFluid {
 public:
   PoreFluid(const FluidScene& scene, const Packing& packing, Clock& clock);
-  ~PoreFluid();
 
   /// Renews the pores if grains have moved; nothing otherwise. Along periodic axes grains may have left the box.
   void follow(const Packing& packing, Clock& clock);
@@ -89,7 +86,6 @@ private:
   double of_step_ = 0;         // s
   FlowMatrix stored_;          // the system's matrix with the storage of the fluid; unused when it is incompressible
   GramTerm solid_;             // empty when the fluid is explicit
-  std::unique_ptr<Preconditioner> preconditioner_;
   PressureSolver solver_;
   PastIncrements increments_;
 

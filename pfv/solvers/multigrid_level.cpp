@@ -41,23 +41,12 @@ std::size_t MultigridLevel<Value>::memory_bytes() const {
          sizeof(float) * (inverse_diagonal_.size() + right_side.size() + pressure.size());
 }
 
-/// In four sums, which need not wait for one another.
 template <class Value>
 inline float MultigridLevel<Value>::sum(int first, int last) const {
-  const Value* value = matrix_.value.data();
-  const int* column = matrix_.column.data();
-  const float* p = pressure.data();
-  Value a = 0, b = 0, c = 0, d = 0;
-  int e = first;
-  for (; e + 4 <= last; e += 4) {
-    a += value[e] * static_cast<Value>(p[column[e]]);
-    b += value[e + 1] * static_cast<Value>(p[column[e + 1]]);
-    c += value[e + 2] * static_cast<Value>(p[column[e + 2]]);
-    d += value[e + 3] * static_cast<Value>(p[column[e + 3]]);
-  }
-  for (; e < last; ++e)
-    a += value[e] * static_cast<Value>(p[column[e]]);
-  return static_cast<float>(scale_ * ((a + b) + (c + d)));
+  Value result = 0;
+  for (int e = first; e < last; ++e)
+    result += matrix_.value[e] * static_cast<Value>(pressure[matrix_.column[e]]);
+  return static_cast<float>(scale_ * result);
 }
 
 template <class Value>
