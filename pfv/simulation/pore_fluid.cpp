@@ -5,7 +5,7 @@
 #include "pfv/problem/text.hpp"
 #include "pfv/problem/validate.hpp"
 #include "pfv/simulation/carry_over.hpp"
-#include "pfv/solvers/multigrid_solver.hpp"
+#include "pfv/simulation/solid_term.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,33 +14,15 @@
 namespace pfv {
 namespace {
 
-/// m, the farthest that a grain has moved; along periodic axes against the mean of all, as moving together changes
-/// nothing.
-double moved(const std::vector<Vec3>& from, const Packing& packing, const PeriodicAxes& periodic) {
-  Vec3 together = Vec3::Zero();
-  if (periodic != PeriodicAxes{}) {
-    for (std::size_t k = 0; k < from.size(); ++k)
-      together += (packing.spheres[k].centre - from[k]) / static_cast<double>(from.size());
-    for (int axis = 0; axis < 3; ++axis)
-      together[axis] *= periodic[axis] ? 1 : 0;
-  }
-  double square = 0;
-  for (std::size_t k = 0; k < from.size(); ++k)
-    square = std::max(square, (packing.spheres[k].centre - from[k] - together).squaredNorm());
-  return std::sqrt(square);
-}
-
-std::vector<Vec3> centres(const Packing& packing) {
-  std::vector<Vec3> all;
-  for (const Sphere& sphere : packing.spheres)
-    all.push_back(sphere.centre);
-  return all;
+/// A facet may turn around as far as grains may part unnoticed: the two pores it divides then have nearly one centre
+/// and one pressure, whichever way the space around them is divided.
+bool turned_around(const PoreNetwork& network, double allowed) {
+  return network.inverted_throats > 0 && *std::ranges::min_element(network.throats.length) < -allowed;
 }
 
 } // namespace
 
-PoreFluid::PoreFluid(const FluidScene& scene, const Packing& packing, Clock& clock)
-    : scene_(scene), preconditioner_(make_v_cycle()) {
+PoreFluid::PoreFluid(const FluidScene& scene, const Packing& packing, Clock& clock) : scene_(scene) {
   validate_level(scene.faces, scene.pressure_points);
   for (const auto& condition : scene.faces) {
     if (std::holds_alternative<Flux>(condition))
@@ -53,12 +35,10 @@ PoreFluid::PoreFluid(const FluidScene& scene, const Packing& packing, Clock& clo
     mean_radius_ += sphere.radius / static_cast<double>(packing.spheres.size());
   build(packing, clock);
   solution_.setZero(static_cast<Eigen::Index>(system_.unknowns()));
-  solve(system_.right_side, {}, 0, scene_.tolerance, solution_);
-  before_ = solution_;
-  to_pores(solution_);
+  set_matrix({}, 1);
+  solver_.solve(system_.right_side, scene_.tolerance, solution_);
+  set_pore_pressures(system_, solution_, pressure_);
 }
-
-PoreFluid::~PoreFluid() = default;
 
 void PoreFluid::build(const Packing& packing, Clock& clock) {
   const PeriodicAxes periodic = periodic_axes(scene_.faces);
@@ -71,9 +51,9 @@ void PoreFluid::build(const Packing& packing, Clock& clock) {
     const auto timing = clock.stage("conductances");
     throats_ = conductances(network_, scene_.options.conductance, scene_.options.walls, scene_.fluid.viscosity);
   }
-  assemble_and_factor(clock);
-  triangulated_at_ = refreshed_at_ = centres(packing);
-  refreshed_box_ = packing.box;
+  assemble_anew(clock);
+  since_built_.start(packing);
+  since_refreshed_.start(packing);
 }
 
 Packing PoreFluid::in_box(const Packing& packing) const {
@@ -83,46 +63,60 @@ Packing PoreFluid::in_box(const Packing& packing) const {
   return inside;
 }
 
-void PoreFluid::assemble_and_factor(Clock& clock) {
+void PoreFluid::assemble_anew(Clock& clock) {
   const auto timing = clock.stage("assemble");
   system_ = assemble(network_, throats_, scene_.faces, scene_.pressure_points);
+  set_flux();
+  increments_.clear();
+  mode_.resize(0);
+}
+
+void PoreFluid::set_known_force() {
+  std::vector<double> known(network_.pores.size(), system_.level);
+  for (std::size_t i = 0; i < known.size(); ++i)
+    if (const auto* pore = system_.known(i))
+      known[i] = pore->pressure;
+  pressure_forces(flux_, known, known_force_);
+}
+
+void PoreFluid::set_flux() {
   flux_ = solid_flux(network_, scene_.options.walls);
-  factor();
+  set_known_force();
+  if (scene_.compressible) {
+    std::vector<double> storage(network_.pores.size());
+    for (std::size_t i = 0; i < storage.size(); ++i)
+      storage[i] = std::max(0.0, network_.pores.void_volume[i]) / scene_.compressible->bulk_modulus;
+    add_to_unknowns(storage, storage_.setZero(static_cast<Eigen::Index>(system_.unknowns())));
+  }
+  matrix_is_set_ = false;
 }
 
-/// The fluid's storage waits for the length of a step.
-void PoreFluid::factor() {
-  stored_step_ = 0;
-  preconditioner_->analyse(system_.matrix);
-  preconditioner_->factor(system_.matrix);
-}
-
-void PoreFluid::set_storage(double step) {
-  if (!scene_.compressible || stored_step_ == step)
+/// What a step adds to the matrix of the flow: the storage of the fluid, and the motion of the solid within it.
+void PoreFluid::set_matrix(std::span<const double> per_mass, double step) {
+  const bool implicit = !per_mass.empty();
+  if (matrix_is_set_ && step == of_step_ && implicit == !solid_.empty())
     return;
-  std::vector<double> storage(network_.pores.size());
-  for (std::size_t i = 0; i < storage.size(); ++i)
-    storage[i] = std::max(0.0, network_.pores.void_volume[i]) / scene_.compressible->bulk_modulus;
-  stored_ = system_.matrix;
-  stored_.diagonal() += to_unknowns(storage) / step;
-  stored_step_ = step;
-  preconditioner_->factor(stored_);
+  if (scene_.compressible) {
+    stored_ = system_.matrix;
+    stored_.diagonal() += storage_ / step;
+  }
+  solid_ = implicit ? solid_term(flux_, system_, per_mass, step) : GramTerm{};
+  solver_.set(matrix(), solid_);
+  solver_.renew(increments_);
+  of_step_ = step;
+  matrix_is_set_ = true;
 }
 
 void PoreFluid::follow(const Packing& packing, Clock& clock) {
-  const PeriodicAxes periodic = periodic_axes(scene_.faces);
-  double drift = moved(refreshed_at_, packing, periodic);
-  drift = std::max(drift, (packing.box.lower - refreshed_box_.lower).cwiseAbs().maxCoeff());
-  drift = std::max(drift, (packing.box.upper - refreshed_box_.upper).cwiseAbs().maxCoeff());
-  if (drift <= scene_.refresh_drift * mean_radius_)
+  if (!since_refreshed_.exceeds(scene_.refresh_drift * mean_radius_, packing, flux_.body))
     return;
-  bool anew = moved(triangulated_at_, packing, periodic) > scene_.rebuild_drift * mean_radius_;
+  bool anew = since_built_.exceeds(scene_.rebuild_drift * mean_radius_, packing, flux_.body);
   if (!anew) {
     if (into_box_.empty())
       pfv::follow(network_, packing, clock);
     else
       pfv::follow(network_, in_box(packing), clock);
-    anew = network_.inverted_throats > 0;
+    anew = turned_around(network_, scene_.refresh_drift * mean_radius_);
   }
   if (anew) {
     renew(packing, clock);
@@ -133,37 +127,30 @@ void PoreFluid::follow(const Packing& packing, Clock& clock) {
     const auto timing = clock.stage("conductances");
     update(throats_, network_, scene_.options.conductance, scene_.options.walls, scene_.fluid.viscosity);
   }
-  const auto timing = clock.stage("assemble");
-  const std::size_t unknowns = system_.unknowns();
-  if (!refresh(system_, network_, throats_))
-    system_ = assemble(network_, throats_, scene_.faces, scene_.pressure_points);
-  flux_ = solid_flux(network_, scene_.options.walls);
-  factor();
-  if (system_.unknowns() != unknowns) {
-    solution_.setZero(static_cast<Eigen::Index>(system_.unknowns()));
-    before_ = solution_;
-    mode_.resize(0);
-  }
-  refreshed_at_ = centres(packing);
-  refreshed_box_ = packing.box;
+  if (refresh_system(clock))
+    start_from(std::vector(pressure_));
+  since_refreshed_.start(packing);
   ++refreshed;
 }
 
 void PoreFluid::renew(const Packing& packing, Clock& clock) {
   const auto bodies = flux_.body;
   build(packing, clock);
-  const auto carried = carried_over(bodies, pressure_, flux_.body, flux_.bodies);
+  start_from(carried_over(bodies, pressure_, flux_.body, flux_.bodies));
+}
+
+/// Forgets all but the pressures (Pa, by pore).
+void PoreFluid::start_from(const std::vector<double>& pressure) {
   solution_.setZero(static_cast<Eigen::Index>(system_.unknowns()));
-  for (std::size_t i = 0; i < carried.size(); ++i)
+  for (std::size_t i = 0; i < pressure.size(); ++i)
     if (system_.unknown_of_pore[i] >= 0)
-      solution_[system_.unknown_of_pore[i]] = carried[i] - system_.level;
+      solution_[system_.unknown_of_pore[i]] = pressure[i] - system_.level;
   start_from_solution();
 }
 
-/// Forgets all but the pressures.
 void PoreFluid::start_from_solution() {
-  to_pores(solution_);
-  before_ = solution_;
+  set_pore_pressures(system_, solution_, pressure_);
+  increments_.clear();
   mode_.resize(0);
 }
 
@@ -193,103 +180,51 @@ void PoreFluid::impose(Face face, double pressure) {
   open->value = pressure;
   pfv::impose(system_, face, pressure);
   renew_right_side(system_, network_);
+  set_known_force();
 }
 
-Eigen::VectorXd PoreFluid::to_unknowns(const std::vector<double>& of_pores) const {
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(system_.unknowns()));
+/// Whether the unknowns are others now.
+bool PoreFluid::refresh_system(Clock& clock) {
+  {
+    const auto timing = clock.stage("assemble");
+    if (refresh(system_, network_, throats_)) {
+      set_flux();
+      return false;
+    }
+  }
+  assemble_anew(clock);
+  return true;
+}
+
+void PoreFluid::add_to_unknowns(const std::vector<double>& of_pores, Eigen::VectorXd& sum) const {
   for (std::size_t i = 0; i < of_pores.size(); ++i)
     if (const int unknown = system_.unknown_of_pore[i]; unknown >= 0)
       sum[unknown] += of_pores[i];
-  return sum;
-}
-
-/// Pressures of all pores: known ones, and those of the unknowns above the level.
-void PoreFluid::to_pores(const Eigen::VectorXd& x) {
-  set_pore_pressures(system_, x, pressure_);
-}
-
-Eigen::VectorXd PoreFluid::product(const Eigen::VectorXd& x, std::span<const double> per_mass, double step) {
-  const FlowMatrix& matrix = stored_step_ > 0 ? stored_ : system_.matrix;
-  if (per_mass.empty())
-    return matrix * x;
-  of_pores_.resize(flux_.pores());
-  for (std::size_t i = 0; i < of_pores_.size(); ++i) {
-    const int unknown = system_.unknown_of_pore[i];
-    of_pores_[i] = unknown >= 0 ? x[unknown] : 0;
-  }
-  pressure_forces(flux_, of_pores_, scratch_force_);
-  for (std::size_t k = 0; k < scratch_force_.size(); ++k)
-    scratch_force_[k] *= step * per_mass[k];
-  volume_rates(flux_, scratch_force_, rate_);
-  return matrix * x + to_unknowns(rate_);
-}
-
-void PoreFluid::solve(const Eigen::VectorXd& right_side, std::span<const double> per_mass, double step,
-                      double tolerance, Eigen::VectorXd& x) {
-  constexpr int most_steps = 2000;
-  ++solves;
-  if (right_side.size() == 0)
-    return;
-  if (right_side.isZero(0)) {
-    x.setZero();
-    return;
-  }
-  Eigen::VectorXd residual = right_side - product(x, per_mass, step);
-  Eigen::VectorXd direction = Eigen::VectorXd::Zero(x.size()), correction(x.size());
-  double before = 1;
-  for (int n = 0; n < most_steps; ++n) {
-    const double power = preconditioner_->apply(residual, correction);
-    if (!std::isfinite(power))
-      throw SolveError("the pressure of the pores is not finite");
-    if (power <= tolerance * tolerance * std::abs(x.dot(right_side)))
-      return;
-    direction = correction + power / before * direction;
-    before = power;
-    const Eigen::VectorXd image = product(direction, per_mass, step);
-    const double length = power / direction.dot(image);
-    x += length * direction;
-    residual -= length * image;
-    ++iterations;
-  }
-  throw SolveError(
-      fmt::format("the pressures of the pores did not settle to {:.0e} in {} steps", tolerance, most_steps));
 }
 
 const std::vector<Vec3>& PoreFluid::forces(std::span<const Vec3> velocity, std::span<const double> per_mass,
                                            double step, Clock& clock) {
-  set_storage(step);
-  Eigen::VectorXd right_side;
   {
     const auto timing = clock.stage("volume rates");
     // What is known pushes already: imposed pressures, and the level that unknown ones count from.
-    std::vector<double> known(network_.pores.size(), system_.level);
-    for (std::size_t i = 0; i < known.size(); ++i)
-      if (const auto* pore = system_.known(i))
-        known[i] = pore->pressure;
-    pressure_forces(flux_, known, force_);
-    std::vector<Vec3> moving(velocity.begin(), velocity.end());
-    if (!per_mass.empty())
-      for (std::size_t k = 0; k < moving.size(); ++k)
-        moving[k] += step * per_mass[k] * force_[k];
-    volume_rates(flux_, moving, rate_);
-    right_side = system_.right_side - to_unknowns(rate_);
-    if (scene_.compressible) {
-      std::vector<double> kept(network_.pores.size());
-      for (std::size_t i = 0; i < kept.size(); ++i)
-        kept[i] = std::max(0.0, network_.pores.void_volume[i]) / scene_.compressible->bulk_modulus / step *
-                  (pressure_[i] - system_.level);
-      right_side += to_unknowns(kept);
-    }
+    moving_.assign(velocity.begin(), velocity.end());
+    for (std::size_t k = 0; k < per_mass.size(); ++k)
+      moving_[k] += step * per_mass[k] * known_force_[k];
+    volume_rates(flux_, moving_, rate_);
+    right_side_.setZero(solution_.size());
+    add_to_unknowns(rate_, right_side_);
+    right_side_ = system_.right_side - right_side_;
+    if (scene_.compressible)
+      right_side_ += storage_.cwiseProduct(solution_) / step;
   }
   {
     const auto timing = clock.stage("solve");
-    Eigen::VectorXd guess = 2 * solution_ - before_;
-    before_ = solution_;
-    solve(right_side, per_mass, step, scene_.tolerance, guess);
-    solution_ = std::move(guess);
+    set_matrix(per_mass, step);
+    iterations += static_cast<std::size_t>(solver_.solve(right_side_, scene_.tolerance, solution_, &increments_));
+    ++solves;
   }
   const auto timing = clock.stage("forces");
-  to_pores(solution_);
+  set_pore_pressures(system_, solution_, pressure_);
   pressure_forces(flux_, pressure_, force_);
   return force_;
 }
@@ -299,22 +234,26 @@ double PoreFluid::largest_rate(std::span<const double> per_mass, Clock& clock) {
   constexpr int most_steps = 100;
   constexpr double settled = 1e-3, tolerance = 1e-4;
   const auto size = static_cast<Eigen::Index>(system_.unknowns());
-  stored_step_ = 0;
-  preconditioner_->factor(system_.matrix);
+  if (size == 0)
+    return 0;
+  const GramTerm solid = solid_term(flux_, system_, per_mass, 1), none;
+  PressureSolver solver;
+  solver.set(system_.matrix, none);
   if (mode_.size() != size) {
     mode_.resize(size);
     for (Eigen::Index i = 0; i < size; ++i)
       mode_[i] = std::sin(1.0 + 2.0 * static_cast<double>(i));
   }
   double rate = 0;
-  for (int n = 0; n < most_steps && size > 0; ++n) {
+  Eigen::VectorXd resisted, pushed;
+  for (int n = 0; n < most_steps; ++n) {
     // x -> A^-1 B M^-1 B^T x, whose Rayleigh quotient in the norm of A is x.B M^-1 B^T x / x.A x.
-    const Eigen::VectorXd resisted = system_.matrix * mode_;
-    const Eigen::VectorXd pushed = product(mode_, per_mass, 1) - resisted;
-    const double next = mode_.dot(pushed) / mode_.dot(resisted);
-    Eigen::VectorXd answer = next * mode_;
-    solve(pushed, {}, 0, tolerance, answer);
-    mode_ = answer / answer.norm();
+    const double power = multiply(system_.matrix, none, mode_, of_block_, resisted);
+    const double next = multiply(system_.matrix, solid, mode_, of_block_, pushed) / power - 1;
+    pushed -= resisted;
+    mode_ *= next;
+    solver.solve(pushed, tolerance, mode_);
+    mode_ /= mode_.norm();
     const bool done = std::abs(next - rate) < settled * next && n > 10;
     rate = next;
     if (done)

@@ -72,7 +72,8 @@ private:
 } // namespace
 
 template <class Value>
-SparseRows coarse_matrix(const MatrixView<Value>& fine, const Interpolation& interpolation, double scale) {
+SparseRows coarse_matrix(const MatrixView<Value>& fine, const Interpolation& interpolation, double scale,
+                         const GramTerm& term) {
   const SparseRows restriction = children(interpolation);
   SparseRows coarse;
   coarse.start.reserve(static_cast<std::size_t>(interpolation.coarse_rows) + 1);
@@ -90,12 +91,18 @@ SparseRows coarse_matrix(const MatrixView<Value>& fine, const Interpolation& int
             sum.add(parents.row[k], value * parents.weight[k]);
       }
     }
+    if (!term.empty())
+      for (int r = term.by_row.start[row]; r < term.by_row.start[row + 1]; ++r) {
+        const auto& [block, value] = term.by_row.entry[r];
+        for (int e = term.by_block.start[block]; e < term.by_block.start[block + 1]; ++e)
+          sum.add(term.by_block.entry[e].index, scale * value.dot(term.by_block.entry[e].value));
+      }
     sum.move_to(coarse);
   }
   return coarse;
 }
 
-template SparseRows coarse_matrix(const MatrixView<double>&, const Interpolation&, double);
-template SparseRows coarse_matrix(const MatrixView<float>&, const Interpolation&, double);
+template SparseRows coarse_matrix(const MatrixView<double>&, const Interpolation&, double, const GramTerm&);
+template SparseRows coarse_matrix(const MatrixView<float>&, const Interpolation&, double, const GramTerm&);
 
 } // namespace pfv

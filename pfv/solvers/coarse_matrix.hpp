@@ -1,11 +1,13 @@
 #pragma once
 
+#include "pfv/solvers/gram_term.hpp"
 #include "pfv/solvers/interpolation.hpp"
 
 namespace pfv {
 
-/// scale P' A P (Galerkin), summed in double precision.
+/// scale (P' A P + S) (Galerkin), summed in double precision. S, of the coarse rows, may be empty.
 template <class Value>
-SparseRows coarse_matrix(const MatrixView<Value>& fine, const Interpolation& interpolation, double scale = 1);
+SparseRows coarse_matrix(const MatrixView<Value>& fine, const Interpolation& interpolation, double scale = 1,
+                         const GramTerm& term = {});
 
 } // namespace pfv

@@ -10,6 +10,7 @@ MultigridLevel<Value>::MultigridLevel(const MatrixView<Value>& matrix, double sc
   right_side.assign(rows, 0);
   pressure.assign(rows, 0);
   inverse_diagonal_.resize(rows);
+  right_of_diagonal_.resize(rows);
   follow(matrix, scale);
 }
 
@@ -19,9 +20,18 @@ void MultigridLevel<Value>::follow(const MatrixView<Value>& matrix, double scale
   scale_ = static_cast<Value>(scale);
   for (int i = 0; i < matrix.rows(); ++i) {
     inverse_diagonal_[i] = 0;
+    int& right = right_of_diagonal_[i];
+    right = matrix.start[i + 1];
     for (int e = matrix.start[i]; e < matrix.start[i + 1]; ++e)
-      if (matrix.column[e] == i && matrix.value[e] > 0)
-        inverse_diagonal_[i] = static_cast<float>(1 / (scale_ * matrix.value[e]));
+      if (matrix.column[e] >= i) {
+        right = e;
+        break;
+      }
+    if (right < matrix.start[i + 1] && matrix.column[right] == i) {
+      if (matrix.value[right] > 0)
+        inverse_diagonal_[i] = static_cast<float>(1 / (scale_ * matrix.value[right]));
+      ++right;
+    }
   }
 }
 
@@ -32,25 +42,33 @@ std::size_t MultigridLevel<Value>::memory_bytes() const {
 }
 
 template <class Value>
+inline float MultigridLevel<Value>::sum(int first, int last) const {
+  Value result = 0;
+  for (int e = first; e < last; ++e)
+    result += matrix_.value[e] * static_cast<Value>(pressure[matrix_.column[e]]);
+  return static_cast<float>(scale_ * result);
+}
+
+template <class Value>
 inline float MultigridLevel<Value>::residual(int row) const {
-  Value sum = 0;
-  for (int e = matrix_.start[row]; e < matrix_.start[row + 1]; ++e)
-    sum += matrix_.value[e] * static_cast<Value>(pressure[matrix_.column[e]]);
-  return right_side[row] - static_cast<float>(scale_ * sum);
+  return right_side[row] - sum(matrix_.start[row], matrix_.start[row + 1]);
 }
 
 template <class Value>
 void MultigridLevel<Value>::sweep_up_from_zero() {
   std::ranges::fill(pressure, 0.0F);
-  for (int i = 0; i < rows(); ++i)
-    pressure[i] = residual(i) * inverse_diagonal_[i];
+  for (int i = 0; i < rows(); ++i) {
+    const int last = whole_rows ? matrix_.start[i + 1] : right_of_diagonal_[i];
+    pressure[i] = (right_side[i] - sum(matrix_.start[i], last)) * inverse_diagonal_[i];
+  }
 }
 
 template <class Value>
 void MultigridLevel<Value>::restrict_residual_to(MultigridVectors& coarser) const {
   std::ranges::fill(coarser.right_side, 0.0F);
   for (int i = 0; i < rows(); ++i) {
-    const float rest = residual(i);
+    const bool is_solved = !whole_rows && inverse_diagonal_[i] > 0; // but for what came after it
+    const float rest = is_solved ? -sum(right_of_diagonal_[i], matrix_.start[i + 1]) : residual(i);
     const Parents& parents = from_coarser[i];
     coarser.right_side[parents.row[0]] += parents.weight[0] * rest;
     coarser.right_side[parents.row[1]] += parents.weight[1] * rest;

@@ -2,6 +2,7 @@
 
 #include "pfv/solvers/interpolation.hpp"
 
+#include <type_traits>
 #include <vector>
 
 namespace pfv {
@@ -12,8 +13,8 @@ struct MultigridVectors {
 };
 
 /// A p = b on one level of a multigrid. The matrix stays the caller's: the finest level, which holds most of all
-/// entries, needs no copy. All steps go along whole rows, most of which on the finest level have the same length: no
-/// branch to guess.
+/// entries, needs no copy. There all steps go along whole rows, most of which have the same length: no branch to guess.
+/// On coarser levels rows are long, and the two steps that need but half of them take no more.
 ///
 /// The four steps of a V-cycle, in this order:
 template <class Value>
@@ -40,10 +41,14 @@ public:
   std::vector<Parents> from_coarser; // P, the interpolation from the coarser level
 
 private:
+  static constexpr bool whole_rows = std::is_same_v<Value, double>;
+
+  float sum(int first, int last) const;
   float residual(int row) const;
 
   MatrixView<Value> matrix_;
   Value scale_;
+  std::vector<int> right_of_diagonal_;  // by row, the first entry there
   std::vector<float> inverse_diagonal_; // 0 where the sum of a coarse diagonal has cancelled to nothing
 };
 

@@ -16,23 +16,21 @@ namespace {
 
 class VCycle final : public Preconditioner {
 public:
+  explicit VCycle(const GramTerm* term = nullptr) : term_(term) {}
+
   void factor(const FlowMatrix& matrix) override {
-    scale_ = scale_of(matrix);
     coarser_.clear();
     coarse_matrices_.clear();
-    finest_.emplace(view(matrix), scale_);
+    set_finest(matrix);
     // The first coarse matrix is summed from double precision: in wide throats nearly all of it cancels.
-    bool has_coarser = finest_->rows() > coarsest_rows && coarsen(view(matrix), scale_, *finest_);
+    bool has_coarser = finest_->rows() > coarsest_rows && coarsen(view(matrix), scale_, *finest_, term_);
     while (has_coarser && coarser_.back().rows() > coarsest_rows)
       has_coarser = coarsen(view(coarse_matrices_.back()), 1, coarser_.back());
     if (!coarser_.empty())
       factor_coarsest();
   }
 
-  void follow(const FlowMatrix& matrix) override {
-    scale_ = scale_of(matrix);
-    finest_->follow(view(matrix), scale_);
-  }
+  void follow(const FlowMatrix& matrix) override { set_finest(matrix); }
 
   double apply(const Eigen::VectorXd& residual, Eigen::VectorXd& correction) override {
     const double size = residual.lpNorm<Eigen::Infinity>();
@@ -72,13 +70,31 @@ private:
     return 1 / diagonal.maxCoeff();
   }
 
+  /// The finest level has of the term its diagonal alone, which keeps its rows short: what the term does beyond is
+  /// smooth, and the coarser levels have it.
+  void set_finest(const FlowMatrix& matrix) {
+    const FlowMatrix* finest = &matrix;
+    if (term_ != nullptr && !term_->empty()) {
+      with_diagonal_ = matrix;
+      with_diagonal_.diagonal() += diagonal(*term_);
+      finest = &with_diagonal_;
+    }
+    scale_ = scale_of(*finest);
+    if (finest_ && finest_->rows() == matrix.rows())
+      finest_->follow(view(*finest), scale_);
+    else
+      finest_.emplace(view(*finest), scale_);
+  }
+
   /// Adds the level below the last one, which is that of the matrix. Whether there is one.
   template <class Value>
-  bool coarsen(const MatrixView<Value>& fine, double scale, MultigridLevel<Value>& level) {
+  bool coarsen(const MatrixView<Value>& fine, double scale, MultigridLevel<Value>& level,
+               const GramTerm* term = nullptr) {
     Interpolation from_coarser = interpolation(fine);
     if (from_coarser.coarse_rows == 0)
       return false;
-    SparseRows coarse = coarse_matrix(fine, from_coarser, scale);
+    SparseRows coarse =
+        coarse_matrix(fine, from_coarser, scale, term != nullptr ? coarse_term(*term, from_coarser) : GramTerm{});
     level.from_coarser = std::move(from_coarser.parents);
     coarse_matrices_.push_back(std::move(coarse));
     coarser_.emplace_back(view(coarse_matrices_.back()), 1);
@@ -115,6 +131,8 @@ private:
     level.sweep_down();
   }
 
+  const GramTerm* term_;
+  FlowMatrix with_diagonal_;
   double scale_ = 1;
   std::optional<MultigridLevel<double>> finest_;
   std::vector<MultigridLevel<float>> coarser_; // from fine to coarse
@@ -128,8 +146,8 @@ std::unique_ptr<FlowSolver> make_multigrid(const Multigrid& parameters) {
   return make_conjugate_gradients("multigrid", std::make_unique<VCycle>(), parameters.tolerance);
 }
 
-std::unique_ptr<Preconditioner> make_v_cycle() {
-  return std::make_unique<VCycle>();
+std::unique_ptr<Preconditioner> make_v_cycle(const GramTerm* term) {
+  return std::make_unique<VCycle>(term);
 }
 
 } // namespace pfv

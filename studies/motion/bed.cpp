@@ -19,6 +19,8 @@ GrainScene bed_grains(const Bed& bed, double local_damping) {
   scene.damping.share = local_damping;
   scene.gravity = Gravity{{0, 0, -bed.gravity}};
   scene.buoyancy = Buoyancy{bed.fluid_density, {0, 0, -bed.gravity}};
+  if (bed.lubricated)
+    scene.lubrication = Lubrication{bed.viscosity};
   return scene;
 }
 

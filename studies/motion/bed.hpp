@@ -10,10 +10,11 @@ struct Bed {
   double side = 0.1; // m
   double radius_ratio = 1.35;
   double density = 2600, fluid_density = 1000; // kg/m^3
-  double viscosity = 3;                        // Pa s: the fluid, not inertia, holds the grains back
+  double viscosity = 2;                        // Pa s: the fluid, not inertia, holds the grains back
   double young = 1e6;                          // Pa, see LinearSprings
   double friction = 0.5;
   double gravity = 9.81; // m/s^2
+  bool lubricated = false;
   unsigned seed = 1;
 };
 
@@ -29,7 +30,7 @@ double buoyant_weight(const Bed& bed, const pfv::Grains& grains);
 /// What fluid (N) does to all grains together, upwards.
 double lift(const pfv::Simulation& simulation);
 
-/// What the floor carries of the grains (N).
+/// What the floor carries of the grains, through contacts and films (N).
 double on_floor(const pfv::GrainCycle& cycle);
 
 /// Mean height of the grains (m), by mass.

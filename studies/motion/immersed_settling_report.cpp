@@ -8,7 +8,7 @@
 namespace studies {
 namespace {
 
-constexpr double carried_tolerance = 0.05, rest_tolerance = 0.01;
+constexpr double carried_tolerance = 0.05, rest_tolerance = 0.02;
 
 /// The largest share of the weight that the excess pressure at the floor reaches.
 double highest_pressure(const Settling& test) {

@@ -121,6 +121,7 @@ TEST(Coupling, LongStepOfStiffFilmsEndsInAMessageThatNamesThem) {
 TEST(Coupling, FollowedPoresPushAsNewOnes) {
   Scene scene = drained_box(150, 2, 10);
   scene.fluid->tolerance = 1e-10;
+  scene.fluid->refresh_drift = 1e-3;
   Clock clock;
   Packing packing = scene.packing;
   PoreFluid followed(*scene.fluid, packing, clock);
