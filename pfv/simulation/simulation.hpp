@@ -94,7 +94,6 @@ private:
   std::vector<Vec3> fluid_force_;
   StepLimits limits_{};
   double step_ = 0;
-  double speed_scale_ = 0; // m/s, beyond which a grain crosses itself in a few steps
   std::size_t steps_ = 0;
 };
 
