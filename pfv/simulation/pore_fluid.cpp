@@ -35,8 +35,10 @@ PoreFluid::PoreFluid(const FluidScene& scene, const Packing& packing, Clock& clo
     mean_radius_ += sphere.radius / static_cast<double>(packing.spheres.size());
   build(packing, clock);
   solution_.setZero(static_cast<Eigen::Index>(system_.unknowns()));
-  set_matrix({}, 1);
-  solver_.solve(system_.right_side, scene_.tolerance, solution_);
+  const GramTerm none;
+  PressureSolver at_rest;
+  at_rest.set(system_.matrix, none);
+  at_rest.solve(system_.right_side, scene_.tolerance, solution_);
   set_pore_pressures(system_, solution_, pressure_);
 }
 

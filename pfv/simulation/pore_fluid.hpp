@@ -51,6 +51,8 @@ struct FluidState {
 class PoreFluid {
 public:
   PoreFluid(const FluidScene& scene, const Packing& packing, Clock& clock);
+  PoreFluid(const PoreFluid&) = delete; // the solver points to the matrices
+  PoreFluid& operator=(const PoreFluid&) = delete;
 
   /// Renews the pores if grains have moved; nothing otherwise. Along periodic axes grains may have left the box.
   void follow(const Packing& packing, Clock& clock);

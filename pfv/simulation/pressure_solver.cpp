@@ -11,6 +11,8 @@ namespace pfv {
 void PressureSolver::set(const FlowMatrix& matrix, const GramTerm& term) {
   matrix_ = &matrix;
   term_ = &term;
+  if (matrix.rows() == 0)
+    return;
   preconditioner_ = make_v_cycle(&term);
   preconditioner_->factor(matrix);
   inverse_diagonal_ = matrix.diagonal();
