@@ -62,7 +62,7 @@ TEST(FilmMotion, OfTwoGrainsThatApproachStopsAtAGapSetByTheirStokesNumber) {
                    suspended(viscosity));
   for (std::size_t i = 0; i < 2; ++i)
     cycle.grains.velocity[i].translation.x() = std::copysign(0.5 * velocity, -cycle.grains.sphere(i).centre.x());
-  run(cycle, 1e-4, 200000);
+  run(cycle, 1e-4, 30000);
   const double left = (cycle.grains.sphere(1).centre - cycle.grains.sphere(0).centre).norm() - 2 * radius;
   EXPECT_LT(cycle.grains.velocity[0].translation.norm(), 1e-6 * velocity);
   EXPECT_NEAR(left / (gap * std::exp(-stokes)), 1, 1e-2);
@@ -77,7 +77,7 @@ GrainCycle shaken(double viscosity) {
   scene.walls.motion[index(Face::z_max)] = LoadedWall{2000, 500};
   scene.walls.motion[index(Face::x_min)] = MovingWall{0.01};
   scene.lubrication = Lubrication{viscosity};
-  GrainCycle cycle(random_packing({.spheres = 200, .solid_fraction = 0.5, .radius_ratio = 3}), scene);
+  GrainCycle cycle(random_packing({.spheres = 100, .solid_fraction = 0.5, .radius_ratio = 3}), scene);
   for (std::size_t i = 0; i < cycle.grains.size(); ++i)
     cycle.grains.velocity[i].spin = Vec3(std::sin(1.0 + i), std::sin(2.0 + 3.0 * i), std::sin(3.0 + 7.0 * i));
   return cycle;
@@ -88,7 +88,7 @@ TEST(FilmMotion, LosesWhatLoadsAndWeightPutInAndNobodyElseTakes) {
   const auto stored = [&](double elastic) { return kinetic_energy(cycle.grains, cycle.scene.walls) + elastic; };
   const double start = stored(elastic_energy(cycle.grains, cycle.contacts));
   const double step = std::min(0.02 * cycle.contact_limit(), 0.2 * *cycle.lubrication_limit());
-  run(cycle, step, 20000);
+  run(cycle, step, 8000);
   const double elastic = elastic_energy(cycle.grains, cycle.contacts);
   run(cycle, step, 1);
   const double now = stored(0.5 * (elastic + elastic_energy(cycle.grains, cycle.contacts)));
