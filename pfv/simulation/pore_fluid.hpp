@@ -28,7 +28,7 @@ struct FluidScene {
   std::optional<CompressibleFluid> compressible;
   double tolerance = 1e-6; // of pressures, in the norm of the dissipated power
   // Of the mean radius: how far neighbours part before conductances are renewed, and before they are triangulated anew.
-  // Measured: 0.01 changes a settlement by 2e-4 at most, 0.03 by 1e-3.
+  // Measured: 0.01 changes a settlement by 3e-4 at most, 0.03 by 1e-3.
   double refresh_drift = 0.01, rebuild_drift = 0.05;
 };
 
