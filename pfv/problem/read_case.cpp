@@ -66,8 +66,9 @@ Case read_case(const std::filesystem::path& file, const QuestionOptions& options
   problem.name = file.stem().string();
   if (const toml::node* name = root.get("name"))
     problem.name = as_text(*name, "name");
+  const toml::table& packing = as_table(required(root, "the case", "packing"), "packing");
   const FaceInput input = overridden(read_face_input(root), options);
-  problem.packing = read_packing(root, file.parent_path(), periodic_axes(input));
+  problem.packing = read_packing(packing, file.parent_path(), periodic_axes(input));
   problem.faces = face_conditions(input, problem.packing.box);
   problem.fluid = read_fluid(root);
   if (const toml::node* points = root.get("pressure_points"))

@@ -40,8 +40,7 @@ Packing read_inline(const toml::table& table, const PeriodicAxes& periodic) {
 
 } // namespace
 
-Packing read_packing(const toml::table& root, const std::filesystem::path& folder, const PeriodicAxes& periodic) {
-  const toml::table& table = as_table(required(root, "the case", "packing"), "packing");
+Packing read_packing(const toml::table& table, const std::filesystem::path& folder, const PeriodicAxes& periodic) {
   const bool file = table.contains("file");
   const bool generator = table.contains("generator");
   const bool spheres = table.contains("box") || (table.contains("spheres") && !generator);

@@ -10,8 +10,8 @@ namespace pfv {
 
 // The parts of a case file that other files have too. Each throws InputError (file, line, value, what is allowed).
 
-/// [packing]; a file in it is relative to `folder`.
-Packing read_packing(const toml::table& root, const std::filesystem::path& folder, const PeriodicAxes& periodic);
+/// From the table [packing]; a file in it is relative to `folder`.
+Packing read_packing(const toml::table& table, const std::filesystem::path& folder, const PeriodicAxes& periodic);
 
 /// [fluid], or what it is by default.
 Fluid read_fluid(const toml::table& root);
