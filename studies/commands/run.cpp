@@ -4,6 +4,7 @@
 #include "studies/commands/experiment.hpp"
 #include "studies/commands/study_place.hpp"
 
+#include "pfv/problem/error.hpp"
 #include "studies/effect_cost/effect_study.hpp"
 #include "studies/runner/progress.hpp"
 #include "studies/runner/study_run.hpp"
@@ -31,8 +32,12 @@ struct RunOptions {
 };
 
 int run_command(RunOptions options) {
-  if (const Experiment* experiment = experiment_named(options.name))
+  if (const Experiment* experiment = experiment_named(options.name)) {
+    if (!options.scope.methods.empty() || options.settings.retry_failed || options.json || options.cpu_budget ||
+        options.memory_budget || options.settings.jobs != RunSettings{}.jobs)
+      throw pfv::InputError(fmt::format("{} is one simulation: it takes --quick and --work only", options.name));
     return run_experiment(*experiment, options.scope.quick, options.settings.work.root);
+  }
   const std::filesystem::path file = study_file(options.name);
   WorkFolder& work = options.settings.work;
   if (work.root.empty())

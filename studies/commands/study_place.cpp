@@ -1,6 +1,7 @@
 #include "studies/commands/study_place.hpp"
 
 #include "pfv/problem/error.hpp"
+#include "studies/motion/experiment.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,8 +20,12 @@ std::filesystem::path study_file(const std::string& name) {
         std::filesystem::path(name)})
     if (std::filesystem::is_regular_file(candidate))
       return candidate;
+  std::vector<std::string> known = study_names();
+  for (const Experiment& experiment : experiments())
+    known.emplace_back(experiment.name);
+  std::ranges::sort(known);
   throw pfv::InputError(fmt::format("unknown study '{}'; it can be one of {}, or a folder with a study.toml", name,
-                                    fmt::join(study_names(), ", ")));
+                                    fmt::join(known, ", ")));
 }
 
 std::vector<std::string> study_names() {
