@@ -50,6 +50,19 @@ TEST_F(Program, AnswersAndReports) {
   EXPECT_EQ(output.err.find('\033'), std::string::npos) << "escape codes without a terminal";
 }
 
+TEST(Experiments, AreListedAndRefuseWhatTheyHaveNoUseFor) {
+  const StudyOutput list = study({"list"});
+  for (const char* name : {"consolidation", "immersed_settling", "uplift"})
+    EXPECT_NE(list.out.find(name), std::string::npos) << name;
+  const StudyOutput refused = study({"run", "uplift", "--only", "fake"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_EQ(refused.err, "study: uplift is one simulation: it takes --quick and --work only\n");
+  const TemporaryFolder empty;
+  const StudyOutput nothing = study({"report", "uplift", "--work", empty.path().string()});
+  EXPECT_EQ(nothing.exit_code, 2);
+  EXPECT_NE(nothing.err.find("has no report; `study run uplift` makes it"), std::string::npos) << nothing.err;
+}
+
 TEST_F(Program, ExtrapolatesToTheKnownAnswer) {
   write_study(study_text);
   const auto results = nlohmann::json::parse(run({"--json"}).out)["results"];
