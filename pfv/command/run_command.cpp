@@ -6,6 +6,7 @@
 #include "pfv/problem/error.hpp"
 #include "pfv/problem/text.hpp"
 #include "pfv/simulation/read_scene.hpp"
+#include "pfv/simulation/relax.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -94,7 +95,7 @@ Duration duration_of(const Options& options, const Duration& in_file) {
     throw InputError("how long the scene runs is not said: --steps, --until, or steps or until in [run]");
   if (!options.steps && !options.until)
     return in_file;
-  return {options.until, options.steps ? std::optional<std::size_t>(*options.steps) : std::nullopt};
+  return {options.until, options.steps ? std::optional<std::size_t>(*options.steps) : std::nullopt, in_file.unbalanced};
 }
 
 /// Of the run that is done, counted from the start of its first part.
@@ -116,6 +117,13 @@ Simulation start(const Scene& scene, const std::string& restart_file) {
   return Simulation(scene, checkpoint);
 }
 
+/// Looked at from time to time: the grains have come to rest, where the scene ends with that.
+bool at_rest(const Duration& duration, const Simulation& simulation) {
+  constexpr std::size_t steps_between_looks = 200;
+  return duration.unbalanced && simulation.steps() % steps_between_looks == 0 &&
+         in_equilibrium(simulation.grains(), {*duration.unbalanced});
+}
+
 void advance(Simulation& simulation, const Duration& duration, Saves& saves, std::optional<Output>& history,
              std::size_t every) {
   RunProgress progress(share_done(duration, simulation));
@@ -125,7 +133,13 @@ void advance(Simulation& simulation, const Duration& duration, Saves& saves, std
       history->stream() << history_row(simulation);
     saves.save_if_due(simulation);
     progress.show(share_done(duration, simulation), simulation.grains().time);
+    if (at_rest(duration, simulation))
+      return;
   }
+  if (duration.unbalanced)
+    throw SolveError(fmt::format("the grains did not come to rest in {} steps: unbalanced force {:.2g}, wanted {:.2g} "
+                                 "with the stress on every loaded wall",
+                                 simulation.steps(), simulation.grains().unbalanced_force(), *duration.unbalanced));
 }
 
 void run(const Options& options) {

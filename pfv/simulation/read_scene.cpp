@@ -220,7 +220,7 @@ std::optional<FluidScene> read_fluid_scene(const std::filesystem::path& file, co
 }
 
 Duration read_run(const toml::table& table, Scene& scene) {
-  allow_keys(table, "[run]", {"until", "steps", "step", "scheme"});
+  allow_keys(table, "[run]", {"until", "steps", "unbalanced", "step", "scheme"});
   Duration duration;
   if (table.contains("until"))
     duration.until = positive(table, "until", 0);
@@ -229,6 +229,14 @@ Duration read_run(const toml::table& table, Scene& scene) {
     if (steps < 1)
       fail_at(*node, fmt::format("steps \"{}\" must be a whole number, 1 or more", steps));
     duration.steps = static_cast<std::size_t>(steps);
+  }
+  if (const toml::node* node = table.get("unbalanced")) {
+    duration.unbalanced = positive(table, "unbalanced", 0);
+    if (scene.fluid)
+      fail_at(*node,
+              fmt::format("unbalanced \"{}\" is for dry grains: a fluid carries part of the load", quote(*node)));
+    if (!duration.until && !duration.steps)
+      fail_at(*node, fmt::format("unbalanced \"{}\" needs steps or until: the most it may take", quote(*node)));
   }
   if (table.contains("step"))
     scene.step = positive(table, "step", 0);

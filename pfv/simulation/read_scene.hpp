@@ -10,6 +10,7 @@ namespace pfv {
 struct Duration {
   std::optional<double> until; // s
   std::optional<std::size_t> steps;
+  std::optional<double> unbalanced; // ends once dry grains are in equilibrium; the others are what it may take
 };
 
 struct SceneFile {

@@ -27,20 +27,22 @@ double wall_error(const GrainCycle& cycle) {
 
 } // namespace
 
+bool in_equilibrium(const GrainCycle& cycle, const Equilibrium& wanted) {
+  return cycle.unbalanced_force() <= wanted.unbalanced_force && wall_error(cycle) <= wanted.wall_stress;
+}
+
 std::size_t relax(GrainCycle& cycle, const Equilibrium& wanted, Clock& clock) {
-  double unbalanced = 0, wall = 0;
   for (std::size_t steps = 0; steps < wanted.most_steps;) {
     const double step = safe_step * cycle.contact_limit();
     for (std::size_t k = 0; k < steps_between_looks; ++k, ++steps)
       cycle.advance(step, clock);
-    unbalanced = cycle.unbalanced_force();
-    wall = wall_error(cycle);
-    if (unbalanced <= wanted.unbalanced_force && wall <= wanted.wall_stress)
+    if (in_equilibrium(cycle, wanted))
       return steps;
   }
   throw SolveError(fmt::format("the grains did not settle in {} steps: unbalanced force {:.2g} (wanted {:.2g}), stress "
                                "on the loaded walls off by {:.2g} (wanted {:.2g})",
-                               wanted.most_steps, unbalanced, wanted.unbalanced_force, wall, wanted.wall_stress));
+                               wanted.most_steps, cycle.unbalanced_force(), wanted.unbalanced_force, wall_error(cycle),
+                               wanted.wall_stress));
 }
 
 } // namespace pfv

@@ -13,6 +13,9 @@ struct Equilibrium {
   std::size_t most_steps = 500'000;
 };
 
+/// Of the last load.
+bool in_equilibrium(const GrainCycle& cycle, const Equilibrium& wanted);
+
 /// Advances dry grains under the walls and loads of their scene, with its damping, until they are in equilibrium: the
 /// preparation of a packing at a confining stress when walls are loaded. Returns the steps it took. Throws SolveError
 /// with what was reached when they do not settle.

@@ -71,6 +71,23 @@ TEST(RunCommand, RunsASceneWithFluid) {
   EXPECT_FALSE(answer(scene.path().string() + " --until 0.1 --scheme semi-implicit").contains("viscous_limit"));
 }
 
+TEST(RunCommand, PreparesAPackingToStartFrom) {
+  const std::string pressed = grains + "[local_damping]\nshare = 0.3\n[walls]\nx_max = { stress = 1e3 }\n"
+                                       "y_max = { stress = 1e3 }\nz_max = { stress = 1e3 }\n";
+  const TemporaryFile scene("pressed.toml", pressed + "[run]\nsteps = 100000\nunbalanced = 1e-3\n");
+  const TemporaryFile saved("pressed.checkpoint", "");
+  const auto json = answer(scene.path().string() + " --save " + saved.path().string());
+  EXPECT_LE(json["unbalanced_force"], 1e-3);
+  EXPECT_LT(json["steps"], 100000);
+  const TemporaryFile next("wet.toml", pressed + "[flow]\naxis = \"z\"\n");
+  const int more = json["steps"].get<int>() + 5;
+  const auto on =
+      answer(next.path().string() + " --restart " + saved.path().string() + " --steps " + std::to_string(more));
+  EXPECT_EQ(on["steps"], more);
+  EXPECT_NEAR(on["box"][2].get<double>(), json["box"][2].get<double>(), 1e-3);
+  expect_one_line(run(scene.path().string() + " --steps 200"), 3, "the grains did not come to rest in 200 steps");
+}
+
 TEST(RunCommand, SaysWhatIsOnAndWhatItCosts) {
   const TemporaryFile scene("piston.toml", wet + "[local_damping]\nshare = 0.3\n[run]\nsteps = 10\n");
   const auto result = run(scene.path().string());

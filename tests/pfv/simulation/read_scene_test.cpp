@@ -109,6 +109,9 @@ TEST(ReadScene, RefusesInOneLineThatQuotesTheValue) {
   says("[contact]\nyoung = -1\n", "young \"-1\" must be above 0");
   says("[contact]\npoisson = 0.2\n", "poisson");
   says("[walls]\nz_max = \"loose\"\n", "must be \"fixed\", { velocity = m/s } or { stress = Pa, mass = kg }");
+  says("[run]\nunbalanced = 0\nsteps = 9\n", "unbalanced \"0\" must be above 0");
+  says("[run]\nunbalanced = 1e-4\n", "unbalanced \"0.0001\" needs steps or until: the most it may take");
+  says("[flow]\naxis = \"z\"\n[run]\nunbalanced = 1e-4\nsteps = 9\n", "is for dry grains");
   says("[local_damping]\nshare = 2\n", "share \"2\" must be at least 0 and at most 0.99");
   says("[fluid]\nviscosity = 1\n", "[fluid] needs [flow] or [faces]: without them the scene is dry");
   says("[lubrication]\n", "[lubrication] needs the viscosity (Pa s) of [fluid]");
