@@ -22,11 +22,6 @@ void push(Vec3& velocity, const Vec3& force, double share, double per_step, doub
     velocity[axis] = pushed(velocity[axis], force[axis], share, per_step, step, damped);
 }
 
-double area(const Box& box, Face face) {
-  const Vec3 size = box.size();
-  return size.prod() / size[index(axis_of(face))];
-}
-
 } // namespace
 
 Kick kick(Grains& grains, const Walls& walls, std::span<const Load> loads, const std::array<double, 6>& on_wall,
@@ -42,7 +37,7 @@ Kick kick(Grains& grains, const Walls& walls, std::span<const Load> loads, const
       velocity = moving->velocity;
     if (const auto* loaded = std::get_if<LoadedWall>(&walls.motion[index(face)])) {
       const double inward = is_upper(face) ? -1 : 1;
-      const double load = inward * loaded->stress * area(grains.packing.box, face);
+      const double load = inward * loaded->stress * area_of(grains.packing.box, face);
       const double before = velocity;
       velocity = pushed(velocity, load + on_wall[index(face)], damping.share, step / loaded->mass, step, done.damped);
       done.load_work += load * 0.5 * (before + velocity) * step;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "pfv/problem/face.hpp"
-#include "pfv/problem/vec3.hpp"
+#include "pfv/problem/packing.hpp"
 
 #include <array>
 #include <string_view>
@@ -28,6 +28,12 @@ struct LoadedWall {
 
   bool operator==(const LoadedWall&) const = default;
 };
+
+/// m^2.
+inline double area_of(const Box& box, Face face) {
+  const Vec3 size = box.size();
+  return size.prod() / size[index(axis_of(face))];
+}
 
 using WallMotion = std::variant<FixedWall, MovingWall, LoadedWall>;
 

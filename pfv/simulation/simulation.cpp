@@ -28,9 +28,8 @@ Vec3 load_on_wall(const GrainCycle& cycle, std::size_t face) {
   const auto* loaded = std::get_if<LoadedWall>(&cycle.scene.walls.motion[face]);
   if (!loaded)
     return Vec3::Zero();
-  const Vec3 size = cycle.grains.packing.box.size();
-  const double area = size.prod() / size[static_cast<int>(face / 2)];
-  return -loaded->stress * area * outward_normal(static_cast<Face>(face));
+  const auto wall = static_cast<Face>(face);
+  return -loaded->stress * area_of(cycle.grains.packing.box, wall) * outward_normal(wall);
 }
 
 void require_fluid_to_repeat_with_grains(const Scene& scene) {
@@ -64,6 +63,10 @@ double StepLimits::chosen() const {
     return limit ? std::optional(0.8 * *limit) : std::nullopt;
   };
   return StepLimits{0.3 * contact, safe(viscous), safe(lubrication)}.joint();
+}
+
+StepLimits limits_of(const GrainCycle& cycle) {
+  return {cycle.contact_limit(), std::nullopt, cycle.lubrication_limit()};
 }
 
 Simulation::Simulation(const Scene& scene) : Simulation(scene, GrainCycle(scene.packing, scene.grains)) {}
@@ -106,9 +109,14 @@ Checkpoint Simulation::checkpoint() {
   return saved;
 }
 
+void Simulation::impose(Face face, double pressure) {
+  if (!fluid_)
+    throw InputError("a dry scene has no face at a pressure");
+  fluid_->impose(face, pressure);
+}
+
 void Simulation::choose_step() {
-  limits_.contact = cycle_.contact_limit();
-  limits_.lubrication = cycle_.lubrication_limit();
+  limits_ = limits_of(cycle_);
   if (fluid_ && std::holds_alternative<Explicit>(scene_.scheme))
     limits_.viscous = 2 / fluid_->largest_rate(per_mass_, clock_);
   step_ = scene_.step.value_or(limits_.chosen());

@@ -48,6 +48,9 @@ struct StepLimits {
   double chosen() const;
 };
 
+/// Of dry grains as they are now.
+StepLimits limits_of(const GrainCycle& cycle);
+
 /// The cycle of Catalano et al. 2011, figure 3: contacts, rates of volume, flow, forces of the fluid, motion. A dry
 /// scene has no pores, no matrix and none of the stages of a flow.
 class Simulation {
@@ -66,10 +69,8 @@ public:
   /// Throws SolveError when the run has left stability, so that it does not take the place of a sound one.
   Checkpoint checkpoint();
 
-  /// Imposes another pressure (Pa) on a face that has one, from the next step on.
-  void impose(Face face, double pressure) { fluid_.value().impose(face, pressure); }
-  /// Another stress (Pa) on a loaded wall.
-  void load(Face face, double stress) { std::get<LoadedWall>(cycle_.scene.walls.motion[index(face)]).stress = stress; }
+  /// Imposes another pressure (Pa) on a face that has one, from the next step on. Throws InputError when it has none.
+  void impose(Face face, double pressure);
 
   const StepLimits& limits() const { return limits_; }
   double step() const { return step_; }

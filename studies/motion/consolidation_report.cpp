@@ -96,13 +96,7 @@ std::string curves_csv(const Layer& layer) {
 }
 
 /// Figure 6 of the paper: pressure in time, pressure over the height at four times, settlement in time.
-constexpr const char* figure = R"gnuplot(set terminal svg size 1080,380 font "Helvetica,13" background rgb "white"
-set output "figure.svg"
-set datafile separator ","
-set multiplot layout 1,3
-set border 3
-set tics nomirror
-set key samplen 2
+constexpr const char* figure = R"gnuplot(set key samplen 2
 set xlabel "time factor T"
 set ylabel "pressure at half of the height / load"
 set xrange [0:1]
@@ -153,7 +147,7 @@ ExperimentReport consolidation_report(const Consolidation& test, const Oedometer
   report.files = {{"moments.csv", moments_csv(test)},
                   {"profiles.csv", profiles_csv(test)},
                   {"curves.csv", curves_csv(test.layer)},
-                  {"figure.gp", figure}};
+                  {"figure.gp", figure_script(1080, 380, 3, figure)}};
   report.summary = to_plain(layer_table(test.layer, asked)) + '\n' + to_plain(error_table(error));
   return report;
 }

@@ -39,6 +39,13 @@ void write_report(const ExperimentReport& report, const std::filesystem::path& f
     }
 }
 
+std::string figure_script(int width, int height, int plots, std::string_view commands) {
+  return fmt::format("set terminal svg size {},{} font \"Helvetica,13\" background rgb \"white\"\n"
+                     "set output \"figure.svg\"\nset datafile separator \",\"\nset multiplot layout 1,{}\n"
+                     "set border 3\nset tics nomirror\n{}",
+                     width, height, plots, commands);
+}
+
 Table cost_table(std::span<const pfv::Stage> stages, std::size_t steps) {
   Table table{{{"stage"}, {"CPU seconds", true}, {"ms per step", true}}, {}};
   double all = 0;

@@ -44,6 +44,9 @@ const Experiment* experiment_named(std::string_view name);
 /// Writes the page and its files into the folder and draws every .gp file among them with gnuplot, when there is one.
 void write_report(const ExperimentReport& report, const std::filesystem::path& folder);
 
+/// A gnuplot script for figure.svg, `plots` beside one another: what these commands draw from the CSV files beside it.
+std::string figure_script(int width, int height, int plots, std::string_view commands);
+
 /// CPU seconds by stage and per step; what the experiment was built from and run on.
 Table cost_table(std::span<const pfv::Stage> stages, std::size_t steps);
 Table build_table();

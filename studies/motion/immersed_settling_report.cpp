@@ -54,13 +54,7 @@ std::string moments_csv(const Settling& test) {
   return text;
 }
 
-constexpr const char* figure = R"gnuplot(set terminal svg size 760,360 font "Helvetica,13" background rgb "white"
-set output "figure.svg"
-set datafile separator ","
-set multiplot layout 1,2
-set border 3
-set tics nomirror
-set key right top samplen 2
+constexpr const char* figure = R"gnuplot(set key right top samplen 2
 set xlabel "time (s)"
 set ylabel "force / buoyant weight"
 set yrange [0:1.45]
@@ -93,7 +87,7 @@ ExperimentReport settling_report(const Settling& test) {
       "Cost\n\n{} steps, triangulated {} times\n\n{}\n## Where the numbers come from\n\n{}",
       settling_experiment.title, percent(carried_tolerance), percent(rest_tolerance), to_markdown(table), test.steps,
       test.rebuilt, to_markdown(cost_table(test.stages, test.steps)), to_markdown(build_table()));
-  report.files = {{"moments.csv", moments_csv(test)}, {"figure.gp", figure}};
+  report.files = {{"moments.csv", moments_csv(test)}, {"figure.gp", figure_script(760, 360, 2, figure)}};
   report.summary = to_plain(table);
   return report;
 }

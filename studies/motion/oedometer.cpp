@@ -88,7 +88,7 @@ void measure_compressibility(const Oedometer& test, GrainCycle cycle, const Stea
   double half = 0;
   for (std::size_t n = 1; n <= load_increments; ++n) {
     const double from = test.load * (n - 1.0) / load_increments, rise = test.load / load_increments;
-    const double step = 0.3 * cycle.contact_limit();
+    const double step = limits_of(cycle).chosen();
     for (std::size_t k = 1; k <= steps_of_an_increment; ++k) {
       const double stress = test.confining_stress + from + rise * static_cast<double>(k) / steps_of_an_increment;
       std::get<LoadedWall>(cycle.scene.walls.motion[index(Face::z_max)]).stress = stress;

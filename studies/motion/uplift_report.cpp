@@ -38,13 +38,7 @@ std::string moments_csv(const Uplift& test) {
   return text;
 }
 
-constexpr const char* figure = R"gnuplot(set terminal svg size 760,360 font "Helvetica,13" background rgb "white"
-set output "figure.svg"
-set datafile separator ","
-set multiplot layout 1,2
-set border 3
-set tics nomirror
-set xlabel "i / i_c"
+constexpr const char* figure = R"gnuplot(set xlabel "i / i_c"
 set arrow from 1, graph 0 to 1, graph 1 nohead dt 2 lc rgb "#888888"
 set key left center samplen 2
 set ylabel "force / buoyant weight"
@@ -76,7 +70,7 @@ ExperimentReport uplift_report(const Uplift& test) {
                             uplift_experiment.title, how_to_read, percent(tolerance), percent(balance_tolerance),
                             to_markdown(table), test.steps, to_markdown(cost_table(test.stages, test.steps)),
                             to_markdown(build_table()));
-  report.files = {{"moments.csv", moments_csv(test)}, {"figure.gp", figure}};
+  report.files = {{"moments.csv", moments_csv(test)}, {"figure.gp", figure_script(760, 360, 2, figure)}};
   report.summary = to_plain(table);
   return report;
 }

@@ -22,4 +22,17 @@ inline double height(const Simulation& simulation) {
   return simulation.grains().grains.packing.box.size().z();
 }
 
+/// Takes the steps, then kinetic and elastic energy and all that was lost over the work of the loads: 1 when nothing is
+/// missing. Positions and velocities are half a step apart, so springs count in the middle of the last step.
+inline double energy_balance(Simulation& simulation, int steps) {
+  double elastic = 0;
+  for (int n = 0; n < steps; ++n) {
+    elastic = elastic_energy(simulation.grains().grains, simulation.grains().contacts);
+    simulation.advance();
+  }
+  const GrainCycle& cycle = simulation.grains();
+  elastic = 0.5 * (elastic + elastic_energy(cycle.grains, cycle.contacts));
+  return (kinetic_energy(cycle.grains, cycle.scene.walls) + elastic + cycle.energy.lost()) / cycle.energy.loads;
+}
+
 } // namespace pfv::testing
