@@ -25,8 +25,8 @@ Table findings(const Uplift& test) {
           {{"grains", fmt::format("{}", test.bed.grains), ""},
            {"porosity n in the middle of the bed", fmt::format("{:.4f}", test.porosity), ""},
            {"i_c = (1 - n)(G_s - 1)", fmt::format("{:.4f}", test.critical), ""},
-           {"i when the floor carries 1 % of the weight", fmt::format("{:.4f}", test.floor_left_at),
-            against(test.floor_left_at)},
+           {"i where the floor carries nothing, by the line from 50 to 10 % of the weight",
+            fmt::format("{:.4f}", test.floor_left_at), against(test.floor_left_at)},
            {"i when the bed has risen by 0.01 diameters", fmt::format("{:.4f}", test.risen_at), against(test.risen_at)},
            {"largest |lift + floor - weight| / weight before", percent(imbalance(test)), ""}}};
 }
