@@ -2,6 +2,7 @@
 
 #include "studies/motion/consolidation.hpp"
 #include "studies/motion/immersed_settling.hpp"
+#include "studies/motion/speed.hpp"
 #include "studies/motion/uplift.hpp"
 #include "studies/runner/build_info.hpp"
 #include "studies/runner/files.hpp"
@@ -15,7 +16,7 @@
 namespace studies {
 
 std::span<const Experiment> experiments() {
-  static constexpr std::array all{consolidation_experiment, settling_experiment, uplift_experiment};
+  static constexpr std::array all{consolidation_experiment, settling_experiment, speed_experiment, uplift_experiment};
   return all;
 }
 

@@ -36,20 +36,6 @@ double height(const GrainCycle& cycle) {
   return cycle.grains.packing.box.size().z();
 }
 
-GrainCycle compacted(const Oedometer& test, Clock& clock) {
-  const Packing loose = random_packing({.spheres = test.grains,
-                                        .solid_fraction = solid_fraction_at_start,
-                                        .radius_ratio = test.radius_ratio,
-                                        .seed = test.seed,
-                                        .size = test.side,
-                                        .periodic = sideways});
-  GrainCycle cycle(loose, grain_scene(test, test.confining_stress, test.friction_prepared, damping));
-  relax(cycle, {}, clock);
-  cycle.set_scene(grain_scene(test, test.confining_stress, test.friction, damping));
-  relax(cycle, {1e-6}, clock);
-  return cycle;
-}
-
 /// Permeabilities, and where the line of pressures in the middle meets the imposed ones.
 SteadyFlow measure_permeability(const GrainCycle& cycle, Layer& layer, Clock& clock) {
   Case problem;
@@ -121,12 +107,33 @@ Moment look(const Oedometer& test, const Layer& layer, const Simulation& simulat
   return moment;
 }
 
-Scene test_scene(const Oedometer& test, const Layer& layer) {
+/// J, in motion and springs.
+double stored_energy(const GrainCycle& cycle) {
+  return kinetic_energy(cycle.grains, cycle.scene.walls) + elastic_energy(cycle.grains, cycle.contacts);
+}
+
+} // namespace
+
+GrainCycle compacted(const Oedometer& test, Clock& clock) {
+  const Packing loose = random_packing({.spheres = test.grains,
+                                        .solid_fraction = solid_fraction_at_start,
+                                        .radius_ratio = test.radius_ratio,
+                                        .seed = test.seed,
+                                        .size = test.side,
+                                        .periodic = sideways});
+  GrainCycle cycle(loose, grain_scene(test, test.confining_stress, test.friction_prepared, damping));
+  relax(cycle, {}, clock);
+  cycle.set_scene(grain_scene(test, test.confining_stress, test.friction, damping));
+  relax(cycle, {1e-6}, clock);
+  return cycle;
+}
+
+Scene under_load(const Oedometer& test, double viscosity) {
   Scene scene;
   scene.grains = grain_scene(test, test.confining_stress + test.load, test.friction, damping_of_test);
   scene.scheme = SemiImplicit{};
   scene.fluid.emplace();
-  scene.fluid->fluid.viscosity = layer.viscosity;
+  scene.fluid->fluid.viscosity = viscosity;
   for (const Face face : all_faces)
     if (sideways[index(axis_of(face))])
       scene.fluid->faces[index(face)] = Periodic{};
@@ -134,13 +141,6 @@ Scene test_scene(const Oedometer& test, const Layer& layer) {
       scene.fluid->faces[index(face)] = Pressure{0};
   return scene;
 }
-
-/// J, in motion and springs.
-double stored_energy(const GrainCycle& cycle) {
-  return kinetic_energy(cycle.grains, cycle.scene.walls) + elastic_energy(cycle.grains, cycle.contacts);
-}
-
-} // namespace
 
 Consolidation consolidate(const Oedometer& test, const std::vector<double>& time_factors,
                           const std::function<void(const std::string&, double)>& say) {
@@ -156,7 +156,7 @@ Consolidation consolidate(const Oedometer& test, const std::vector<double>& time
   layer.viscosity = 1;
   layer.viscosity = layer.time_factor(test.duration);
 
-  Simulation simulation(test_scene(test, layer), start);
+  Simulation simulation(under_load(test, layer.viscosity), start);
   const double stored = stored_energy(start), began = start.time;
   const EnergyBalance before = start.energy;
   result.contact_limit = simulation.limits().contact;

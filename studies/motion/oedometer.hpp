@@ -24,6 +24,12 @@ struct Oedometer {
   unsigned seed = 1;
 };
 
+/// The layer at rest under the confining stress, dry.
+pfv::GrainCycle compacted(const Oedometer& test, pfv::Clock& clock);
+
+/// The load on it and a fluid (Pa s) between the grains; semi-implicit. The scene has no packing: start from the layer.
+pfv::Scene under_load(const Oedometer& test, double viscosity);
+
 /// What is known of the layer before the test, all of it measured.
 struct Layer {
   double height = 0;              // m

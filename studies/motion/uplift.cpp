@@ -64,16 +64,6 @@ double passes_at(const std::vector<UpliftMoment>& moments, double UpliftMoment::
   return 0;
 }
 
-/// The gradient at which the floor would carry nothing if it went on as it did from half of the weight to a tenth. The
-/// last contacts with the floor open late, as the bed rises and grains drop out of it.
-double leaves_floor_at(const std::vector<UpliftMoment>& moments) {
-  LineFit line;
-  for (const UpliftMoment& moment : moments)
-    if (moment.on_floor < 0.5 && moment.on_floor > 0.1)
-      line.add(moment.gradient, moment.on_floor, 1);
-  return line.where(0);
-}
-
 } // namespace
 
 Uplift lift_up(const Bed& bed, const Say& say) {
@@ -117,7 +107,7 @@ Uplift lift_up(const Bed& bed, const Say& say) {
     if (result.moments.back().rise > 0.1)
       break;
   }
-  result.floor_left_at = leaves_floor_at(result.moments);
+  result.carried_at = passes_at(result.moments, &UpliftMoment::lift, 1);
   result.risen_at = passes_at(result.moments, &UpliftMoment::rise, 0.01);
   result.steps = simulation.steps();
   result.stages = simulation.clock().stages();
@@ -126,7 +116,7 @@ Uplift lift_up(const Bed& bed, const Say& say) {
 
 ExperimentReport run_uplift(bool quick, const Say& say) {
   Bed bed;
-  bed.grains = quick ? 400 : 2000;
+  bed.grains = quick ? 1000 : 2000;
   return uplift_report(lift_up(bed, say));
 }
 

@@ -15,11 +15,11 @@ struct UpliftMoment {
 
 struct Uplift {
   Bed bed;
-  double porosity = 0;      // in the middle of the bed, before
-  double height = 0;        // m, of the bed: where its highest tenth begins
-  double critical = 0;      // (1 - n) (G_s - 1), Terzaghi
-  double floor_left_at = 0; // gradient at which the floor would carry nothing, from 50 to 10 % of the weight
-  double risen_at = 0;      // gradient at which the bed has risen by a hundredth of a diameter
+  double porosity = 0;   // in the middle of the bed, before
+  double height = 0;     // m, of the bed: where its highest tenth begins
+  double critical = 0;   // (1 - n) (G_s - 1), Terzaghi
+  double carried_at = 0; // gradient at which the fluid carries the whole weight
+  double risen_at = 0;   // gradient at which the bed has risen by a hundredth of a diameter
   std::vector<UpliftMoment> moments;
   std::size_t steps = 0;
   std::vector<pfv::Stage> stages;

@@ -21,14 +21,14 @@ double imbalance(const Uplift& test) {
 
 Table findings(const Uplift& test) {
   const auto against = [&](double gradient) { return percent(gradient / test.critical - 1); };
-  return {{{"quantity"}, {"value", true}, {"against i_c", true}},
-          {{"grains", fmt::format("{}", test.bed.grains), ""},
-           {"porosity n in the middle of the bed", fmt::format("{:.4f}", test.porosity), ""},
-           {"i_c = (1 - n)(G_s - 1)", fmt::format("{:.4f}", test.critical), ""},
-           {"i where the floor carries nothing, by the line from 50 to 10 % of the weight",
-            fmt::format("{:.4f}", test.floor_left_at), against(test.floor_left_at)},
-           {"i when the bed has risen by 0.01 diameters", fmt::format("{:.4f}", test.risen_at), against(test.risen_at)},
-           {"largest |lift + floor - weight| / weight before", percent(imbalance(test)), ""}}};
+  return {
+      {{"quantity"}, {"value", true}, {"against i_c", true}},
+      {{"grains", fmt::format("{}", test.bed.grains), ""},
+       {"porosity n in the middle of the bed", fmt::format("{:.4f}", test.porosity), ""},
+       {"i_c = (1 - n)(G_s - 1)", fmt::format("{:.4f}", test.critical), ""},
+       {"i when the fluid carries the whole weight", fmt::format("{:.4f}", test.carried_at), against(test.carried_at)},
+       {"i when the bed has risen by 0.01 diameters", fmt::format("{:.4f}", test.risen_at), against(test.risen_at)},
+       {"largest |lift + floor - weight| / weight before", percent(imbalance(test)), ""}}};
 }
 
 std::string moments_csv(const Uplift& test) {
@@ -62,7 +62,7 @@ gradient of Terzaghi the fluid carries the whole weight, nothing is left for the
 ExperimentReport uplift_report(const Uplift& test) {
   ExperimentReport report;
   const auto near = [&](double gradient) { return std::abs(gradient / test.critical - 1) <= tolerance; };
-  report.holds = near(test.floor_left_at) && near(test.risen_at) && imbalance(test) <= balance_tolerance;
+  report.holds = near(test.carried_at) && near(test.risen_at) && imbalance(test) <= balance_tolerance;
   const Table table = findings(test);
   report.page = fmt::format("# {}\n\n![Forces and rise over the gradient](figure.svg)\n{}\nBoth gradients are to be "
                             "within {} of i_c, lift and floor together within {} of the weight.\n\n{}\n## Cost\n\n{} "

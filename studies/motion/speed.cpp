@@ -1,0 +1,19 @@
+#include "studies/motion/speed.hpp"
+
+namespace studies {
+
+ExperimentReport run_speed(bool quick, const Say& say) {
+  Speed speed;
+  const int turns = quick ? 1 : 5;
+  const auto add_dry = [&](int grains, std::size_t steps) {
+    for (DrySpeed& one : dry_speeds(grains, steps, turns, say))
+      speed.dry.push_back(std::move(one));
+  };
+  add_dry(quick ? 1000 : 5000, 1000);
+  add_dry(quick ? 5000 : 50000, quick ? 200 : 150);
+  speed.coupled = coupled_speed(quick ? 1000 : 5000, quick ? 200 : 800, quick ? 1 : 3, say);
+  speed.scheme = scheme_speed(quick ? 1000 : 5000, quick ? 0.005 : 0.03, say);
+  return speed_report(speed);
+}
+
+} // namespace studies

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "studies/motion/coupled_speed.hpp"
+#include "studies/motion/scheme_speed.hpp"
+
+namespace studies {
+
+/// Steps per CPU second, each against a peer in the same run.
+struct Speed {
+  std::vector<DrySpeed> dry;
+  CoupledSpeed coupled;
+  SchemeSpeed scheme;
+};
+
+ExperimentReport speed_report(const Speed& speed);
+ExperimentReport run_speed(bool quick, const Say& say);
+
+inline constexpr Experiment speed_experiment{
+    "speed", "Steps per CPU second: dry grains, the coupled oedometer, and what semi-implicit steps gain", run_speed};
+
+} // namespace studies
