@@ -2,7 +2,7 @@
 
 #include "studies/effect_cost/effect_study.hpp"
 #include "studies/runner/row.hpp"
-#include "studies/runner/table.hpp"
+#include "studies/document/table.hpp"
 
 #include <optional>
 #include <span>

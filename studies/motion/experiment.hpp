@@ -1,7 +1,7 @@
 #pragma once
 
 #include "pfv/clock.hpp"
-#include "studies/runner/table.hpp"
+#include "studies/document/table.hpp"
 
 #include <filesystem>
 #include <functional>
