@@ -1,9 +1,11 @@
 #include "studies/commands/effects.hpp"
 
 #include "pfv/problem/error.hpp"
+#include "pfv/problem/text.hpp"
 #include "studies/effect_cost/effect_report.hpp"
 #include "studies/effect_cost/run_effects.hpp"
 #include "studies/runner/files.hpp"
+#include "studies/runner/write_pages.hpp"
 
 #include <fmt/format.h>
 
@@ -18,15 +20,13 @@ EffectStudy study_of(const std::filesystem::path& file, const Scope& scope) {
   return read_effect_study(file, scope.quick);
 }
 
-/// Writes and prints; returns the report.
-std::string conclude(const EffectStudy& study, const Scope& scope, const std::vector<Row>& rows, const WorkFolder& work,
-                     bool json) {
-  const std::filesystem::path file = work.root / "report.md";
-  const std::string report = effect_report(study, scope.quick, rows);
-  write_file(file, report);
+/// Writes and prints.
+void conclude(const EffectStudy& study, const Scope& scope, const std::vector<Row>& rows, const WorkFolder& work,
+              bool json) {
+  const std::filesystem::path file = write_pages(effect_report(study, scope.quick, rows), work.root);
   if (json) {
     fmt::print("{}", effects_json(study, rows));
-    return report;
+    return;
   }
   const auto costs = effect_costs(study, rows);
   fmt::print("\n{}\n\n{}", study.title, to_plain(effect_table(study, costs)));
@@ -34,7 +34,6 @@ std::string conclude(const EffectStudy& study, const Scope& scope, const std::ve
     if (!cost.trouble.empty())
       fmt::print("\nfailed: {}: {}\n", cost.id, cost.trouble);
   fmt::print("\nReport: {}\n", file.string());
-  return report;
 }
 
 } // namespace
@@ -56,14 +55,15 @@ void report_effects_command(const std::filesystem::path& study_file, const Scope
   if (rows.empty())
     throw pfv::InputError(
         fmt::format("{} holds no row of this plan; `study run {}` makes them", work.rows().string(), study.name));
-  const std::string report = conclude(study, scope, rows, work, json);
+  conclude(study, scope, rows, work, json);
   if (!publish)
     return;
   const std::filesystem::path published = study_file.parent_path() / "results";
   std::string csv = to_csv(row_columns());
   for (const Row& row : rows)
     csv += to_csv(to_record(row));
-  write_file(published / "report.md", report);
+  for (const char* page : {"report.md", "report.html"})
+    write_file(published / page, pfv::read_text(work.root / page));
   write_file(published / "rows.csv", csv);
   fmt::print(stderr, "Published: {}\n", published.string());
 }

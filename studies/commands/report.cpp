@@ -46,7 +46,8 @@ void report_command(ReportOptions options) {
   if (!options.publish)
     return;
   const std::filesystem::path published = file.parent_path() / "results";
-  write_file(published / "report.md", pfv::read_text(options.work.root / "report.md"));
+  for (const char* page : {"report.md", "report.html"})
+    write_file(published / page, pfv::read_text(options.work.root / page));
   std::string csv = to_csv(row_columns());
   for (const Row& row : rows)
     csv += to_csv(to_record(row));

@@ -1,3 +1,4 @@
+#include "studies/document/markdown.hpp"
 #include "studies/motion/immersed_settling.hpp"
 #include "studies/motion/uplift.hpp"
 
@@ -28,7 +29,7 @@ TEST(ImmersedSettling, FluidAndFloorCarryTheWeightAndTheFloorAllOfItInTheEnd) {
   EXPECT_LT(test.moments.back().floor_pressure, 0.1);
   EXPECT_GT(test.bed_porosity, 0.35);
   EXPECT_LT(test.bed_porosity, 0.65);
-  EXPECT_NE(settling_report(test).page.find("buoyant weight"), std::string::npos);
+  EXPECT_NE(to_markdown(settling_report(test).page).find("buoyant weight"), std::string::npos);
 }
 
 TEST(Uplift, LeavesTheFloorNearTheCriticalGradient) {
