@@ -1,4 +1,5 @@
 #include "studies/commands/conclude.hpp"
+#include "studies/commands/publish.hpp"
 
 #include "studies/runner/report.hpp"
 #include "studies/runner/result_table.hpp"
@@ -21,7 +22,7 @@ fmt::text_style bold_if(bool colours) {
 
 void conclude(const Study& study, const Scope& scope, const std::vector<Row>& rows,
               const std::filesystem::path& answers, const std::filesystem::path& folder, bool json) {
-  const std::filesystem::path file = write_pages(report(study, scope, rows, answers), folder);
+  const std::filesystem::path file = write_pages(report(study, scope, rows, answers), folder, readme_of(study.folder));
   const std::vector<Result> list = results(study, rows, answers);
   if (json) {
     fmt::print("{}", results_json(study, list));

@@ -25,6 +25,12 @@ struct List {
   std::vector<std::string> items;
 };
 
+/// Lines as they are.
+struct Code {
+  std::string language;
+  std::string text; // with its last line end
+};
+
 /// A picture from a file beside the page or from memory.
 struct Figure {
   std::string caption;
@@ -42,7 +48,7 @@ struct Details {
 };
 
 struct Block {
-  std::variant<Heading, Paragraph, List, Table, Figure, Plot, Details> is;
+  std::variant<Heading, Paragraph, List, Table, Code, Figure, Plot, Details> is;
 };
 
 /// A page, said once and written as Markdown and as HTML.

@@ -85,6 +85,8 @@ private:
     body_ += "</ul>\n";
   }
 
+  void write(const Code& code) { body_ += fmt::format("<pre><code>{}</code></pre>\n", escaped(code.text)); }
+
   void write(const Table& table) {
     body_ += "<div class=\"table\"><div class=\"scroll\"><table>\n<thead><tr>";
     for (const Table::Column& column : table.columns)

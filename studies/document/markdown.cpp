@@ -29,6 +29,10 @@ std::string markdown_of(const Table& table) {
   return to_markdown(table);
 }
 
+std::string markdown_of(const Code& code) {
+  return fmt::format("```{}\n{}```\n", code.language, code.text);
+}
+
 std::string markdown_of(const Figure& figure) {
   return figure.file.empty() ? "" : fmt::format("![{}]({})\n", figure.caption, figure.file);
 }
@@ -85,6 +89,12 @@ Table table_of(std::span<const std::string_view> lines) {
 
 Block block_of(std::span<const std::string_view> lines) {
   const std::string_view first = lines[0];
+  if (first.starts_with("```")) {
+    Code code{std::string(first.substr(3)), ""};
+    for (const std::string_view line : lines.subspan(1, lines.size() - 2))
+      code.text.append(line).append("\n");
+    return {code};
+  }
   if (first.starts_with('|'))
     return {table_of(lines)};
   if (first.starts_with('#') && lines.size() == 1) {
@@ -132,6 +142,14 @@ Document from_markdown(std::string_view text) {
     const auto length = std::min(text.find('\n'), text.size());
     const std::string_view line = text.substr(0, length);
     text.remove_prefix(std::min(length + 1, text.size()));
+    if (const bool in_code = !lines.empty() && lines[0].starts_with("```"); in_code || line.starts_with("```")) {
+      if (!in_code)
+        end_block();
+      lines.push_back(line);
+      if (in_code && line == "```")
+        end_block();
+      continue;
+    }
     if (line.empty() || line.starts_with('#'))
       end_block();
     if (!line.empty())
@@ -139,6 +157,8 @@ Document from_markdown(std::string_view text) {
     if (line.starts_with('#'))
       end_block();
   }
+  if (!lines.empty() && lines[0].starts_with("```"))
+    lines.push_back("```"); // was not closed
   end_block();
   return document;
 }

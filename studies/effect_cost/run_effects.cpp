@@ -7,23 +7,18 @@
 #include "studies/effect_cost/step_cost.hpp"
 #include "studies/runner/build_info.hpp"
 #include "studies/runner/files.hpp"
+#include "studies/runner/now_utc.hpp"
 #include "studies/runner/number_text.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
 namespace studies {
 namespace {
 
 std::string sources() {
   return digest_of_sources({"pfv/problem", "pfv/pores", "pfv/solvers", "pfv/flow", "pfv/grains", "pfv/simulation"});
-}
-
-std::string now_utc() {
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now()));
 }
 
 /// Of a preparation and the sources it runs with: another one leaves another packing.

@@ -5,6 +5,7 @@
 #include "studies/motion/uplift.hpp"
 #include "studies/runner/build_info.hpp"
 #include "studies/runner/files.hpp"
+#include "studies/runner/now_utc.hpp"
 #include "studies/runner/number_text.hpp"
 #include "studies/runner/write_pages.hpp"
 
@@ -47,7 +48,8 @@ Document page_of(const Experiment& experiment, std::span<const Expectation> expe
   return page;
 }
 
-std::filesystem::path write_report(const ExperimentReport& report, const std::filesystem::path& folder) {
+std::filesystem::path write_report(const ExperimentReport& report, const std::filesystem::path& folder,
+                                   const std::filesystem::path& readme) {
   std::filesystem::create_directories(folder);
   for (const auto& [name, text] : report.files)
     write_file(folder / name, text);
@@ -59,7 +61,7 @@ std::filesystem::path write_report(const ExperimentReport& report, const std::fi
       else if (std::system(draw.c_str()) != 0)
         fmt::print(stderr, "gnuplot could not draw {}\n", (folder / name).string());
     }
-  return write_pages(report.page, folder);
+  return write_pages(report.page, folder, readme);
 }
 
 std::string figure_script(int width, int height, int plots, std::string_view commands) {
@@ -86,7 +88,11 @@ Table cost_table(std::span<const pfv::Stage> stages, std::size_t steps) {
 Table build_table() {
   const BuildInfo& build = build_info();
   return {{{"what"}, {"value"}},
-          {{"commit", build.commit}, {"compiler", build.compiler}, {"flags", build.flags}, {"machine", machine()}}};
+          {{"commit", build.commit},
+           {"compiler", build.compiler},
+           {"flags", build.flags},
+           {"machine", machine()},
+           {"run (UTC)", now_utc()}}};
 }
 
 } // namespace studies

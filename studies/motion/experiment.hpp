@@ -60,7 +60,8 @@ Document page_of(const Experiment& experiment, std::span<const Expectation> expe
 
 /// Writes report.md, report.html and the files into the folder and draws every .gp file among them with gnuplot, when
 /// there is one. Returns the path of report.html.
-std::filesystem::path write_report(const ExperimentReport& report, const std::filesystem::path& folder);
+std::filesystem::path write_report(const ExperimentReport& report, const std::filesystem::path& folder,
+                                   const std::filesystem::path& readme);
 
 /// A gnuplot script for figure.svg, `plots` beside one another: what these commands draw from the CSV files beside it.
 std::string figure_script(int width, int height, int plots, std::string_view commands);

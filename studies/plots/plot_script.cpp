@@ -95,8 +95,13 @@ std::string plot_script(const Plot& plot) {
   std::vector<double> xs, ys;
   for (const Series& series : plot.series)
     for (const PlotPoint& point : series.points) {
-      xs.push_back(point.x);
-      ys.push_back(point.y);
+      const auto see = [](std::vector<double>& values, double value, const std::optional<double>& error, Scale scale) {
+        values.push_back(value);
+        if (error && scale == Scale::linear)
+          values.insert(values.end(), {value - *error, value + *error});
+      };
+      see(xs, point.x, point.x_error, plot.x.scale);
+      see(ys, point.y, point.y_error, plot.y.scale);
     }
   const Range x = range_of(plot.x, xs), y = range_of(plot.y, ys);
   // A legend under the whole picture: under the axes alone long names on the left would leave it no room.

@@ -1,6 +1,7 @@
 #include "studies/runner/report.hpp"
 
 #include "studies/runner/number_text.hpp"
+#include "studies/runner/packing_picture.hpp"
 #include "studies/runner/provenance.hpp"
 #include "studies/runner/report_plots.hpp"
 #include "studies/runner/result_table.hpp"
@@ -141,6 +142,8 @@ Document report(const Study& study, const Scope& scope, std::span<const Row> row
     page.add(plot);
   if (Plot plot = error_plot(study, list); !plot.empty())
     page.add(plot);
+  for (const Figure& figure : packing_figures(study, list))
+    page.add(figure);
   page.add(result_table(study, list));
   add_how_to_read(study, page);
   add_scaling(study, list, page);

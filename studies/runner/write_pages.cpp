@@ -9,6 +9,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <regex>
+
 namespace studies {
 
 namespace {
@@ -47,10 +50,24 @@ private:
   int figures_ = 0;
 };
 
+/// What a study says of itself, with its links as they are from another folder.
+Details about_the_study(const std::filesystem::path& readme, const std::filesystem::path& folder) {
+  static const std::regex link(R"(\]\((?![a-z]+:|#|/))");
+  const auto way = std::filesystem::relative(readme.parent_path(), folder).generic_string();
+  Document about = from_markdown(std::regex_replace(pfv::read_text(readme), link, "](" + way + "/"));
+  for (Block& block : about.blocks)
+    if (auto* heading = std::get_if<Heading>(&block.is))
+      heading->level = std::max(heading->level, 3);
+  return {Heading{"What was expected and found"}, std::move(about.blocks)};
+}
+
 } // namespace
 
-std::filesystem::path write_pages(Document document, const std::filesystem::path& folder) {
+std::filesystem::path write_pages(Document document, const std::filesystem::path& folder,
+                                  const std::filesystem::path& readme) {
   write_file(folder / "report.md", to_markdown(document));
+  if (std::filesystem::is_regular_file(readme))
+    document.add(about_the_study(readme, folder));
   Illustrator(folder).illustrate(document.blocks);
   const auto page = folder / "report.html";
   write_file(page, to_html(document));

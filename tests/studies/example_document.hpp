@@ -17,6 +17,7 @@ inline studies::Document example_document() {
                   {"e", "unresolved (< 0.3 %)", "agrees"}}});
   page.add(List{{"first *item*", "second"}});
   page.add(Figure{"A <figure>", "figure.png", "\x89PNG", ""});
+  page.add(Code{"sh", "study run x # <not a heading>\n\n- nor a list\n"});
   page.add(Heading{"Smaller", 3});
   page.add(Figure{"None", "gone.svg", "", "there is none"});
   page.add(Details{Heading{"Runs"}, {{Table{{{"what"}, {"value"}}, {{"commit", "abc"}}}}}});

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace studies {
 namespace {
@@ -40,9 +41,21 @@ TEST(Uplift, LeavesTheFloorNearTheCriticalGradient) {
   EXPECT_NEAR(test.floor_left_at / test.critical, 1, 0.1);
   EXPECT_NEAR(test.risen_at / test.critical, 1, 0.1);
   for (const UpliftMoment& moment : test.moments)
-    if (moment.rise < 0.01)
+    if (moment.rise < 0.01) {
       EXPECT_NEAR(moment.lift + moment.on_floor, 1, 0.05);
+    }
   EXPECT_GT(test.moments.back().rise, 0.01);
+}
+
+TEST(Experiments, TellTheirQuestionAndTheOutcomeOfEveryExpectation) {
+  const Expectation expectations[] = {at_most("one", -0.02, 0.03), at_most("other", 0.04, 0.03)};
+  EXPECT_FALSE(all_hold(expectations));
+  EXPECT_TRUE(all_hold(std::span(expectations).first(1)));
+  const Document page = page_of(uplift_experiment, expectations);
+  EXPECT_EQ(outcome_of(page), "1 of 2 expectations hold.");
+  const std::string text = to_markdown(page);
+  EXPECT_NE(text.find(uplift_experiment.question), text.npos);
+  EXPECT_NE(text.find("- *holds*: one: -2 %, expected at most 3 %.\n- *does not hold*: other: 4 %"), text.npos) << text;
 }
 
 } // namespace

@@ -30,9 +30,16 @@ double luminance(const std::string& colour) {
 TEST(PlotScript, LeavesOutWhatALogarithmicAxisCannotShow) {
   const std::string script = plot_script(example_plot());
   EXPECT_NE(script.find("$points0 << END\n0.001 2\n10 3\nEND\n"), script.npos) << script;
-  EXPECT_NE(script.find("$bars0 << END\n0.001 0.85 0 2.65\n"), script.npos) << script; // up to the edge, not below
+  EXPECT_NE(script.find("$bars0 << END\n0.001 0.5 0 3\n"), script.npos) << script;
   EXPECT_NE(script.find("set xlabel 'CPU''s seconds'"), script.npos);
   EXPECT_NE(script.find("set xrange [0.0001:100]"), script.npos) << script;
+}
+
+TEST(PlotScript, EndsABarThatReachesZeroAtTheEdge) {
+  Plot plot = example_plot();
+  plot.y.scale = Scale::logarithmic;
+  plot.series[0].points[0].y_error = 3;
+  EXPECT_NE(plot_script(plot).find("$bars0 << END\n0.001 0.5 0 4.5\n"), std::string::npos) << plot_script(plot);
 }
 
 TEST(PlotScript, PutsCategoriesOnLinesFromTheTop) {

@@ -51,6 +51,16 @@ TEST_F(Program, AnswersAndReports) {
   EXPECT_EQ(output.err.find('\033'), std::string::npos) << "escape codes without a terminal";
 }
 
+TEST(Index, HasALineForEveryStudy) {
+  const TemporaryFolder folder;
+  const StudyOutput output = study({"index", "--to", folder.path().string()});
+  EXPECT_EQ(output.exit_code, 0) << output.err;
+  EXPECT_EQ(output.out, "Index: " + (folder.path() / "index.html").string() + "\n");
+  const std::string page = pfv::read_text(folder.path() / "index.html");
+  for (const char* name : {"agreement", "consolidation", "effects", "lattices", "scaling", "table1"})
+    EXPECT_NE(page.find(name), std::string::npos) << name;
+}
+
 TEST(Experiments, AreListedAndRefuseWhatTheyHaveNoUseFor) {
   const StudyOutput list = study({"list"});
   for (const char* name : {"consolidation", "immersed_settling", "uplift"})
