@@ -105,7 +105,10 @@ private:
   static const char* kind_of(const Table::Column& column, const std::string& cell) {
     if (column.numbers)
       return " class=\"n\"";
-    return cell.size() > 40 ? " class=\"long\"" : "";
+    // The target of a link is not seen.
+    const auto middle = cell.find("]("), end = cell.find(')', middle);
+    const std::size_t unseen = middle == cell.npos || end == cell.npos ? 0 : end - middle;
+    return cell.size() - unseen > 40 ? " class=\"long\"" : "";
   }
 
   void write(const Figure& figure) {

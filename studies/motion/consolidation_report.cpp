@@ -132,9 +132,9 @@ the test, and T = 4 c_v t / L² with L the distance between the planes.)";
 ExperimentReport consolidation_report(const Consolidation& test, const Oedometer& asked) {
   const ConsolidationError error = error_of(test);
   const Expectation expectations[] = {
-      at_most("largest error of the settlement, of the final one", error.largest_settlement, settlement_tolerance),
-      at_most("largest error of the pressure at half of the height, of the load", error.largest_pressure,
-              pressure_tolerance)};
+      within("largest error of the settlement, of the final one", error.largest_settlement, settlement_tolerance),
+      within("largest error of the pressure at half of the height, of the load", error.largest_pressure,
+             pressure_tolerance)};
   ExperimentReport report;
   report.holds = all_hold(expectations);
   Document& page = report.page = page_of(consolidation_experiment, expectations);

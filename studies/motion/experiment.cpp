@@ -27,8 +27,8 @@ const Experiment* experiment_named(std::string_view name) {
   return found == experiments().end() ? nullptr : &*found;
 }
 
-Expectation at_most(std::string what, double value, double bound) {
-  return {std::move(what), percent(value), "at most " + percent(bound), std::abs(value) <= bound};
+Expectation within(std::string what, double value, double bound) {
+  return {std::move(what), percent(value), "within " + percent(bound), std::abs(value) <= bound};
 }
 
 bool all_hold(std::span<const Expectation> expectations) {
@@ -42,8 +42,8 @@ Document page_of(const Experiment& experiment, std::span<const Expectation> expe
   page.add(Paragraph{fmt::format("{}{} of {} expectations hold.", outcome_lead, held, expectations.size())});
   List list;
   for (const Expectation& one : expectations)
-    list.items.push_back(fmt::format("*{}*: {}: {}, expected {}.", one.holds ? "holds" : "does not hold", one.what,
-                                     one.found, one.bound));
+    list.items.push_back(
+        fmt::format("*{}*: {}: {}, to be {}.", one.holds ? "holds" : "does not hold", one.what, one.found, one.bound));
   page.add(list);
   return page;
 }
@@ -67,7 +67,8 @@ std::filesystem::path write_report(const ExperimentReport& report, const std::fi
 std::string figure_script(int width, int height, int plots, std::string_view commands) {
   return fmt::format("set terminal svg size {},{} font \"Helvetica,13\" background rgb \"white\"\n"
                      "set output \"figure.svg\"\nset datafile separator \",\"\nset multiplot layout 1,{}\n"
-                     "set border 3\nset tics nomirror\nset key below samplen 2\n{}",
+                     "set border 3\nset tics nomirror\nset bmargin 6\nset key at graph 0.5, graph -0.26 center top "
+                     "maxcols 2 samplen 2\n{}",
                      width, height, plots, commands);
 }
 

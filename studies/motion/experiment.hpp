@@ -46,12 +46,12 @@ const Experiment* experiment_named(std::string_view name);
 struct Expectation {
   std::string what;  // "largest error of the settlement"
   std::string found; // "1.2 %"
-  std::string bound; // "at most 3 %"
+  std::string bound; // "within 3 %"
   bool holds;
 };
 
-/// An expectation that a value is at most this, told in percent.
-Expectation at_most(std::string what, double value, double bound);
+/// An expectation that a value, of either sign, is no larger than this, told in percent.
+Expectation within(std::string what, double value, double bound);
 
 bool all_hold(std::span<const Expectation> expectations);
 

@@ -58,12 +58,12 @@ gradient of Terzaghi the fluid carries the whole weight, nothing is left for the
 } // namespace
 
 ExperimentReport uplift_report(const Uplift& test) {
-  const Expectation expectations[] = {at_most("gradient at which the floor is left, beyond the critical one",
-                                              test.floor_left_at / test.critical - 1, tolerance),
-                                      at_most("gradient at which the bed has risen, beyond the critical one",
-                                              test.risen_at / test.critical - 1, tolerance),
-                                      at_most("largest distance of lift and floor together from the weight before",
-                                              imbalance(test), balance_tolerance)};
+  const Expectation expectations[] = {
+      within("gradient at which the floor is left, beyond the critical one", test.floor_left_at / test.critical - 1,
+             tolerance),
+      within("gradient at which the bed has risen, beyond the critical one", test.risen_at / test.critical - 1,
+             tolerance),
+      within("largest distance of lift and floor together from the weight before", imbalance(test), balance_tolerance)};
   ExperimentReport report;
   report.holds = all_hold(expectations);
   const Table table = findings(test);

@@ -13,6 +13,15 @@ std::string link_to(const std::string& name, const std::filesystem::path& file, 
   return fmt::format("[{}]({})", name, std::filesystem::relative(file, from).generic_string());
 }
 
+/// "2000-01-01", or "2000-01-01 to 2000-01-02", of the times of the first and the last run.
+std::string days_of(const std::string& times) {
+  constexpr std::size_t day = 10;
+  const auto to = times.find(" to ");
+  const std::string first = times.substr(0, day);
+  const std::string last = to == times.npos ? first : times.substr(to + 4, day);
+  return first == last ? first : first + " to " + last;
+}
+
 std::vector<std::string> line_of(const IndexEntry& entry, const std::filesystem::path& index_folder) {
   const auto text = entry.folder / "report.md", page = entry.folder / "report.html";
   if (!std::filesystem::is_regular_file(text))
@@ -20,7 +29,7 @@ std::vector<std::string> line_of(const IndexEntry& entry, const std::filesystem:
   const Document report = from_markdown(pfv::read_text(text));
   const bool has_page = std::filesystem::is_regular_file(page);
   return {link_to(entry.name, has_page ? page : text, index_folder), report.title, outcome_of(report),
-          fact_of(report, "run (UTC)"), fact_of(report, "commit")};
+          days_of(fact_of(report, "run (UTC)")), fact_of(report, "commit")};
 }
 
 } // namespace

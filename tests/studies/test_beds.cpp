@@ -48,14 +48,14 @@ TEST(Uplift, LeavesTheFloorNearTheCriticalGradient) {
 }
 
 TEST(Experiments, TellTheirQuestionAndTheOutcomeOfEveryExpectation) {
-  const Expectation expectations[] = {at_most("one", -0.02, 0.03), at_most("other", 0.04, 0.03)};
+  const Expectation expectations[] = {within("one", -0.02, 0.03), within("other", 0.04, 0.03)};
   EXPECT_FALSE(all_hold(expectations));
   EXPECT_TRUE(all_hold(std::span(expectations).first(1)));
   const Document page = page_of(uplift_experiment, expectations);
   EXPECT_EQ(outcome_of(page), "1 of 2 expectations hold.");
   const std::string text = to_markdown(page);
   EXPECT_NE(text.find(uplift_experiment.question), text.npos);
-  EXPECT_NE(text.find("- *holds*: one: -2 %, expected at most 3 %.\n- *does not hold*: other: 4 %"), text.npos) << text;
+  EXPECT_NE(text.find("- *holds*: one: -2 %, to be within 3 %.\n- *does not hold*: other: 4 %"), text.npos) << text;
 }
 
 } // namespace
