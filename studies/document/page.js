@@ -66,10 +66,6 @@ const report = (() => {
       th.addEventListener("click", turn);
       th.addEventListener("keydown", (event) => event.key === "Enter" && turn());
     });
-    for (const cell of table.querySelectorAll("td:not(.n)")) {
-      if (/^(agrees|holds|within)\b/.test(cell.textContent)) cell.classList.add("good");
-      if (/^(differs|failed|does not hold|outside)\b/.test(cell.textContent)) cell.classList.add("bad");
-    }
     const tools = document.createElement("div");
     tools.className = "tools";
     tools.append(button("Copy as CSV", async (self) => {
@@ -78,6 +74,14 @@ const report = (() => {
       setTimeout(() => (self.textContent = "Copy as CSV"), 1500);
     }));
     table.closest(".table").append(tools);
+  }
+
+  // What an outcome begins with has its colour, in tables and in sentences.
+  function colour() {
+    for (const place of document.querySelectorAll("main td:not(.n), main li em")) {
+      if (/^(agrees|holds)\b/.test(place.textContent)) place.classList.add("good");
+      if (/^(differs|failed|does not hold)\b/.test(place.textContent)) place.classList.add("bad");
+    }
   }
 
   function scheme() {
@@ -101,6 +105,7 @@ const report = (() => {
 
   const tables = [...document.querySelectorAll("main table")];
   tables.forEach(equip);
+  colour();
   document.querySelector("header").append(scheme());
   addEventListener("hashchange", unfold);
   unfold();

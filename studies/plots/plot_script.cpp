@@ -89,6 +89,24 @@ bool fits(const PlotAxis& axis, const Range& range, double value) {
          value <= range.second;
 }
 
+std::string style(Drawn drawn, int mark) {
+  switch (drawn) {
+  case Drawn::points:
+    return fmt::format("points pt {} ps 0.8", mark);
+  case Drawn::small_points:
+    return fmt::format("points pt {} ps 0.35", mark);
+  case Drawn::line:
+    return "lines lw 2";
+  case Drawn::line_with_points:
+    return fmt::format("linespoints lw 1.5 pt {} ps 0.8", mark);
+  case Drawn::dashed_line:
+    return "lines lw 1.5 dt 2";
+  case Drawn::dashed_steps:
+    return "steps lw 1.5 dt 2";
+  }
+  return "";
+}
+
 } // namespace
 
 std::string plot_script(const Plot& plot) {
@@ -142,26 +160,11 @@ std::string plot_script(const Plot& plot) {
       drawn.push_back(
           fmt::format("$bars{} using 1:2:3:4 with vectors heads size screen 0.006,90 lw 1.2 {} notitle", i, colour));
     }
-    const std::string with = [&] {
-      switch (series.drawn) {
-      case Drawn::points:
-        return fmt::format("points pt {} ps 0.8", mark);
-      case Drawn::small_points:
-        return fmt::format("points pt {} ps 0.35", mark);
-      case Drawn::line:
-        return std::string("lines lw 2");
-      case Drawn::line_with_points:
-        return fmt::format("linespoints lw 1.5 pt {} ps 0.8", mark);
-      case Drawn::dashed_line:
-        return std::string("lines lw 1.5 dt 2");
-      case Drawn::dashed_steps:
-        return std::string("steps lw 1.5 dt 2");
-      }
-      return std::string();
-    }();
-    drawn.push_back(fmt::format("$points{} using 1:2 with {} {} {}", i, with, colour,
+    drawn.push_back(fmt::format("$points{} using 1:2 with {} {} {}", i, style(series.drawn, mark), colour,
                                 series.name.empty() ? "notitle" : "title " + quoted(series.name)));
   }
+  if (drawn.empty())
+    drawn.emplace_back("NaN notitle"); // the empty axes
   return text + fmt::format("plot {}\n", fmt::join(drawn, ", \\\n     "));
 }
 

@@ -49,7 +49,7 @@ std::vector<Figure> packing_figures(const Study& study, std::span<const Result> 
     if (asked == results.end() || figures.size() == most_figures)
       continue;
     const std::size_t spheres = asked->finding.told().spheres;
-    if (spheres > most_spheres || !sizes.insert(spheres).second)
+    if (spheres == 0 || spheres > most_spheres || !sizes.insert(spheres).second)
       continue;
     Figure figure{fmt::format("{}: {} {}", one.label, spheres, spheres == 1 ? "sphere" : "spheres"), ""};
     try {
