@@ -1,10 +1,11 @@
 #include "studies/commands/conclude.hpp"
+#include "studies/commands/publish.hpp"
 
-#include "studies/runner/files.hpp"
 #include "studies/runner/report.hpp"
 #include "studies/runner/result_table.hpp"
 #include "studies/runner/scaling.hpp"
 #include "studies/runner/terminal.hpp"
+#include "studies/runner/write_pages.hpp"
 
 #include <fmt/color.h>
 #include <fmt/format.h>
@@ -21,8 +22,7 @@ fmt::text_style bold_if(bool colours) {
 
 void conclude(const Study& study, const Scope& scope, const std::vector<Row>& rows,
               const std::filesystem::path& answers, const std::filesystem::path& folder, bool json) {
-  const std::filesystem::path file = folder / "report.md";
-  write_file(file, report(study, scope, rows, answers));
+  const std::filesystem::path file = write_pages(report(study, scope, rows, answers), folder, readme_of(study.folder));
   const std::vector<Result> list = results(study, rows, answers);
   if (json) {
     fmt::print("{}", results_json(study, list));

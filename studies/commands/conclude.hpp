@@ -8,7 +8,8 @@
 
 namespace studies {
 
-/// Writes the report of rows to `folder`/report.md, and prints the table and where the report lies, or JSON instead.
+/// Writes the report of rows to `folder`/report.md and report.html, and prints the table and where the report lies, or
+/// JSON instead.
 void conclude(const Study& study, const Scope& scope, const std::vector<Row>& rows,
               const std::filesystem::path& answers, const std::filesystem::path& folder, bool json);
 

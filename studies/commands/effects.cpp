@@ -1,9 +1,10 @@
 #include "studies/commands/effects.hpp"
+#include "studies/commands/publish.hpp"
 
 #include "pfv/problem/error.hpp"
 #include "studies/effect_cost/effect_report.hpp"
 #include "studies/effect_cost/run_effects.hpp"
-#include "studies/runner/files.hpp"
+#include "studies/runner/write_pages.hpp"
 
 #include <fmt/format.h>
 
@@ -18,15 +19,14 @@ EffectStudy study_of(const std::filesystem::path& file, const Scope& scope) {
   return read_effect_study(file, scope.quick);
 }
 
-/// Writes and prints; returns the report.
-std::string conclude(const EffectStudy& study, const Scope& scope, const std::vector<Row>& rows, const WorkFolder& work,
-                     bool json) {
-  const std::filesystem::path file = work.root / "report.md";
-  const std::string report = effect_report(study, scope.quick, rows);
-  write_file(file, report);
+/// Writes and prints.
+void conclude(const EffectStudy& study, const Scope& scope, const std::vector<Row>& rows, const WorkFolder& work,
+              bool json) {
+  const std::filesystem::path file =
+      write_pages(effect_report(study, scope.quick, rows), work.root, readme_of(study.folder));
   if (json) {
     fmt::print("{}", effects_json(study, rows));
-    return report;
+    return;
   }
   const auto costs = effect_costs(study, rows);
   fmt::print("\n{}\n\n{}", study.title, to_plain(effect_table(study, costs)));
@@ -34,7 +34,6 @@ std::string conclude(const EffectStudy& study, const Scope& scope, const std::ve
     if (!cost.trouble.empty())
       fmt::print("\nfailed: {}: {}\n", cost.id, cost.trouble);
   fmt::print("\nReport: {}\n", file.string());
-  return report;
 }
 
 } // namespace
@@ -50,22 +49,15 @@ int run_effects_command(const std::filesystem::path& study_file, const Scope& sc
 }
 
 void report_effects_command(const std::filesystem::path& study_file, const Scope& scope, const WorkFolder& work,
-                            bool publish, bool json) {
+                            bool to_publish, bool json) {
   const EffectStudy study = study_of(study_file, scope);
   const std::vector<Row> rows = stored_effects(study, work);
   if (rows.empty())
     throw pfv::InputError(
         fmt::format("{} holds no row of this plan; `study run {}` makes them", work.rows().string(), study.name));
-  const std::string report = conclude(study, scope, rows, work, json);
-  if (!publish)
-    return;
-  const std::filesystem::path published = study_file.parent_path() / "results";
-  std::string csv = to_csv(row_columns());
-  for (const Row& row : rows)
-    csv += to_csv(to_record(row));
-  write_file(published / "report.md", report);
-  write_file(published / "rows.csv", csv);
-  fmt::print(stderr, "Published: {}\n", published.string());
+  conclude(study, scope, rows, work, json);
+  if (to_publish)
+    publish(effect_report(study, scope.quick, rows), rows, study.folder);
 }
 
 } // namespace studies

@@ -2,9 +2,12 @@
 
 #include "pfv/problem/error.hpp"
 #include "pfv/problem/text.hpp"
+#include "studies/commands/publish.hpp"
 #include "studies/commands/study_place.hpp"
+#include "studies/document/markdown.hpp"
 #include "studies/runner/progress.hpp"
 #include "studies/runner/terminal.hpp"
+#include "studies/runner/write_pages.hpp"
 
 #include <chrono>
 #include <fmt/format.h>
@@ -54,10 +57,9 @@ int run_experiment(const Experiment& experiment, bool quick, const std::filesyst
       experiment.run(quick, [&](const std::string& what, double done) { line(what, done); });
   line.clear();
   const auto folder = work_folder(experiment, work);
-  write_report(report, folder);
+  const auto page = write_report(report, folder, readme_of(studies_folder() / experiment.name));
   fmt::print("\n{}\n{}\nReport: {}\n", report.summary,
-             report.holds ? "Holds." : "DOES NOT HOLD: something is outside of its bound.",
-             (folder / "report.md").string());
+             report.holds ? "Holds." : "DOES NOT HOLD: something is outside of its bound.", page.string());
   return report.holds ? 0 : 1;
 }
 
@@ -65,7 +67,10 @@ void report_experiment(const Experiment& experiment, bool publish, const std::fi
   const auto folder = work_folder(experiment, work);
   if (!std::filesystem::exists(folder / "report.md"))
     throw pfv::InputError(fmt::format("{} has no report; `study run {}` makes it", folder.string(), experiment.name));
-  fmt::print("{}", pfv::read_text(folder / "report.md"));
+  const std::string text = pfv::read_text(folder / "report.md");
+  const auto readme = readme_of(studies_folder() / experiment.name);
+  const auto page = write_pages(from_markdown(text), folder, readme);
+  fmt::print("{}\nReport: {}\n", text, page.string());
   if (!publish)
     return;
   const auto published = studies_folder() / experiment.name / "results";
@@ -74,6 +79,7 @@ void report_experiment(const Experiment& experiment, bool publish, const std::fi
     if (entry.is_regular_file())
       std::filesystem::copy_file(entry.path(), published / entry.path().filename(),
                                  std::filesystem::copy_options::overwrite_existing);
+  write_pages(from_markdown(text), published, readme); // its links are other ones from there
   fmt::print(stderr, "Published: {}\n", published.string());
 }
 

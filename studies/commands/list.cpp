@@ -3,10 +3,10 @@
 
 #include "pfv/problem/error.hpp"
 #include "reference/method.hpp"
+#include "studies/document/table.hpp"
 #include "studies/effect_cost/effect_study.hpp"
 #include "studies/motion/experiment.hpp"
 #include "studies/runner/study_file.hpp"
-#include "studies/runner/table.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

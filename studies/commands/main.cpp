@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
   add_run(app, invocation);
   add_compare(app, invocation);
   add_report(app);
+  add_index(app);
   add_answer(app, invocation);
   add_steps(app, invocation);
   try {

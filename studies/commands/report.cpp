@@ -2,12 +2,12 @@
 #include "studies/commands/conclude.hpp"
 #include "studies/commands/effects.hpp"
 #include "studies/commands/experiment.hpp"
+#include "studies/commands/publish.hpp"
 #include "studies/commands/study_place.hpp"
 
 #include "pfv/problem/error.hpp"
-#include "pfv/problem/text.hpp"
 #include "studies/effect_cost/effect_study.hpp"
-#include "studies/runner/files.hpp"
+#include "studies/runner/report.hpp"
 #include "studies/runner/study_run.hpp"
 
 #include <CLI/CLI.hpp>
@@ -43,15 +43,8 @@ void report_command(ReportOptions options) {
     throw pfv::InputError(fmt::format("{} holds no row of this plan; `study run {}` makes them",
                                       options.work.rows().string(), options.name));
   conclude(study, options.scope, rows, options.work.answers(), options.work.root, options.json);
-  if (!options.publish)
-    return;
-  const std::filesystem::path published = file.parent_path() / "results";
-  write_file(published / "report.md", pfv::read_text(options.work.root / "report.md"));
-  std::string csv = to_csv(row_columns());
-  for (const Row& row : rows)
-    csv += to_csv(to_record(row));
-  write_file(published / "rows.csv", csv);
-  fmt::print(stderr, "Published: {}\n", published.string());
+  if (options.publish)
+    publish(report(study, options.scope, rows, options.work.answers()), rows, study.folder);
 }
 
 } // namespace

@@ -34,6 +34,41 @@ std::string range(const Spread& of) {
   return fmt::format("{} to {}", microseconds(of.least), microseconds(of.most));
 }
 
+/// "Of 12 effects, 9 cost something that the turns agree on, 3 are unresolved."
+std::string outcome(std::span<const EffectCost> costs) {
+  std::size_t asked = 0, resolved = 0, unresolved = 0, failed = 0;
+  for (const EffectCost& cost : costs) {
+    failed += cost.all ? 0 : 1;
+    if (!cost.extra)
+      continue;
+    ++asked;
+    ++(cost.is_resolved() ? resolved : unresolved);
+  }
+  return fmt::format(
+      "Of {} effects held against the scene without them, the turns agree on the sign of the cost of {}; "
+      "{} are unresolved, {} failed.",
+      asked, resolved, unresolved, failed);
+}
+
+/// What each effect adds to a step, from the least to the most over the turns.
+Plot effect_plot(const EffectStudy& study, std::span<const EffectCost> costs) {
+  Plot plot{"CPU time of a step with each effect: medians, and from the least to the most over the turns.",
+            {"µs per step", Scale::logarithmic},
+            {},
+            {{"", Drawn::points, 0, {}}}};
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    if (!costs[i].all)
+      continue;
+    const Spread& all = *costs[i].all;
+    PlotPoint point{1e6 * all.median, static_cast<double>(plot.y.categories.size())};
+    point.x_error = 1e6 * std::max(all.most - all.median, all.median - all.least);
+    plot.y.categories.push_back(study.effects[i].label);
+    plot.series[0].points.push_back(point);
+  }
+  plot.height = 100 + 22 * static_cast<int>(plot.y.categories.size());
+  return plot;
+}
+
 std::string label_of(const EffectStudy& study, const std::string& id) {
   const auto found = std::ranges::find(study.effects, id, &Effect::id);
   return found == study.effects.end() ? "" : found->label;
@@ -132,30 +167,38 @@ Table effect_stages(const EffectStudy& study, std::span<const Row> rows) {
   return table;
 }
 
-std::string effect_report(const EffectStudy& study, bool quick, std::span<const Row> rows) {
-  std::string text = fmt::format("# {}\n\n{}\n", study.title, study.question);
+Document effect_report(const EffectStudy& study, bool quick, std::span<const Row> rows) {
+  Document page{study.title, {}};
+  page.add(Paragraph{study.question});
   if (quick)
-    text += "\nThis is the quick plan: fewer grains, steps and repeats than the study's full plan.\n";
-  if (rows.empty())
-    return text + "\nNothing has been run yet.\n";
+    page.add(Paragraph{"This is the quick plan: fewer grains, steps and repeats than the study's full plan."});
+  if (rows.empty()) {
+    page.add(Paragraph{"Nothing has been run yet."});
+    return page;
+  }
   const auto costs = effect_costs(study, rows);
   std::size_t spheres = 0;
   for (const Row& row : rows)
     spheres = std::max(spheres, row.spheres);
-  text += fmt::format(
-      "\n## Results\n\n{}\n{} grains. CPU time of a step, one thread, start left out, each of the {} runs a process of "
+  page.add(Paragraph{std::string(outcome_lead) + outcome(costs)});
+  page.add(Heading{"Results"});
+  page.add(effect_plot(study, costs));
+  page.add(effect_table(study, costs));
+  page.add(Paragraph{fmt::format(
+      "{} grains. CPU time of a step, one thread, start left out, each of the {} runs a process of "
       "its own, in turn. *Of it the effect* is the step with the effect less the step of the scene it is beside, from "
       "the same turn: medians, least and most over the turns. It is *unresolved* when the turns do not agree on its "
-      "sign. "
-      "Memory is what the scene adds to the process.\n",
-      to_markdown(effect_table(study, costs)), spheres, study.repeats);
-  text +=
-      fmt::format("\n## Where the time goes\n\nµs per step, medians. An empty cell is a stage that there is not.\n\n{}",
-                  to_markdown(effect_stages(study, rows)));
+      "sign. Memory is what the scene adds to the process.",
+      spheres, study.repeats)});
+  page.add(Heading{"Where the time goes"});
+  page.add(Paragraph{"µs per step, medians. An empty cell is a stage that there is not."});
+  page.add(effect_stages(study, rows));
   for (const EffectCost& cost : costs)
     if (!cost.trouble.empty())
-      text += fmt::format("\n{} failed: {}\n", cost.id, cost.trouble);
-  return text + fmt::format("\n## Where the numbers come from\n\n{}", to_markdown(provenance(rows)));
+      page.add(Paragraph{fmt::format("{} failed: {}", cost.id, cost.trouble)});
+  page.add(Heading{"Where the numbers come from"});
+  page.add(provenance(rows));
+  return page;
 }
 
 std::string effects_json(const EffectStudy& study, std::span<const Row> rows) {

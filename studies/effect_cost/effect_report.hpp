@@ -1,8 +1,8 @@
 #pragma once
 
+#include "studies/document/document.hpp"
 #include "studies/effect_cost/effect_study.hpp"
 #include "studies/runner/row.hpp"
-#include "studies/runner/table.hpp"
 
 #include <optional>
 #include <span>
@@ -39,7 +39,8 @@ Table effect_table(const EffectStudy& study, std::span<const EffectCost> costs);
 /// Microseconds of a step by stage and effect, medians.
 Table effect_stages(const EffectStudy& study, std::span<const Row> rows);
 
-std::string effect_report(const EffectStudy& study, bool quick, std::span<const Row> rows);
+/// The page: question, outcome, costs, where the time goes, where the numbers come from.
+Document effect_report(const EffectStudy& study, bool quick, std::span<const Row> rows);
 std::string effects_json(const EffectStudy& study, std::span<const Row> rows);
 
 } // namespace studies

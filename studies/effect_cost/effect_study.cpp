@@ -93,7 +93,8 @@ EffectStudy read_effect_study(const std::filesystem::path& file, bool quick) {
   const toml::table root = pfv::read_toml(file);
   pfv::allow_keys(root, "a study of effects", {"title", "question", "plan", "quick", "preparation", "scene", "effect"});
   EffectStudy study;
-  study.name = std::filesystem::absolute(file).parent_path().filename().string();
+  study.folder = std::filesystem::absolute(file).parent_path();
+  study.name = study.folder.filename().string();
   study.title = pfv::as_text(pfv::required(root, "the study", "title"), "title");
   study.question = pfv::as_text(pfv::required(root, "the study", "question"), "question");
   Plan plan{part(root, "the study", "plan"), quick ? part(root, "the study", "quick") : toml::table{}};

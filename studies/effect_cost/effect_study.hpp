@@ -20,7 +20,8 @@ struct Effect {
 
 /// What each effect costs in a step: the same packing with and without it.
 struct EffectStudy {
-  std::string name; // of its folder
+  std::string name;             // of its folder
+  std::filesystem::path folder; // of its study.toml
   std::string title;
   std::string question;
   std::string preparation; // TOML of the scene that is run first; all others start from where its grains end

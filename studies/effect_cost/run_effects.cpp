@@ -7,13 +7,12 @@
 #include "studies/effect_cost/step_cost.hpp"
 #include "studies/runner/build_info.hpp"
 #include "studies/runner/files.hpp"
+#include "studies/runner/now_utc.hpp"
 #include "studies/runner/number_text.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
 namespace studies {
 namespace {
@@ -22,17 +21,13 @@ std::string sources() {
   return digest_of_sources({"pfv/problem", "pfv/pores", "pfv/solvers", "pfv/flow", "pfv/grains", "pfv/simulation"});
 }
 
-std::string now_utc() {
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now()));
-}
-
 /// Of a preparation and the sources it runs with: another one leaves another packing.
-std::string digest_of_packing(const EffectStudy& study) {
-  return text_digest(fmt::format("{}\n{}\n{}", study.preparation, study.preparation_steps, sources()));
+std::string digest_of_packing(const EffectStudy& study, const std::string& from_sources) {
+  return text_digest(fmt::format("{}\n{}\n{}", study.preparation, study.preparation_steps, from_sources));
 }
 
 std::filesystem::path packing_file(const EffectStudy& study, const WorkFolder& work) {
-  return std::filesystem::absolute(work.cases() / ("packing-" + digest_of_packing(study) + ".txt"));
+  return std::filesystem::absolute(work.cases() / ("packing-" + digest_of_packing(study, sources()) + ".txt"));
 }
 
 meshing::ChildResult steps_of(const RunSettings& settings, const std::filesystem::path& scene, std::size_t warm_up,
@@ -64,16 +59,16 @@ void prepare(const EffectStudy& study, const RunSettings& settings, const Tell& 
   std::filesystem::rename(unfinished, packing);
 }
 
-/// What a row says before the run.
-Row identity(const EffectStudy& study, const Effect& effect, int repeat) {
+/// What a row says before the run; `from_sources` are those of another build when the row is looked for, not made.
+Row identity(const EffectStudy& study, const Effect& effect, int repeat, const std::string& from_sources) {
   static const std::string this_machine = machine();
   Row row;
   row.study = study.name;
   row.case_id = effect.id;
-  row.case_digest = text_digest(effect.scene + digest_of_packing(study));
+  row.case_digest = text_digest(effect.scene + digest_of_packing(study, from_sources));
   row.method = "pfv run";
   row.repeats = repeat;
-  row.answer_sources = sources();
+  row.answer_sources = from_sources;
   row.commit = build_info().commit;
   row.compiler = build_info().compiler;
   row.flags = build_info().flags + "; one thread";
@@ -111,11 +106,12 @@ const Row* stored_row(const std::vector<Row>& rows, const std::string& key) {
   return found == rows.rend() ? nullptr : &*found;
 }
 
-std::vector<Row> rows_of_plan(const EffectStudy& study, const std::vector<Row>& stored) {
+std::vector<Row> rows_of_plan(const EffectStudy& study, const std::vector<Row>& stored,
+                              const std::string& from_sources) {
   std::vector<Row> rows;
   for (const Effect& effect : study.effects)
     for (int repeat = 1; repeat <= study.repeats; ++repeat)
-      if (const Row* row = stored_row(stored, identity(study, effect, repeat).key))
+      if (const Row* row = stored_row(stored, identity(study, effect, repeat, from_sources).key))
         rows.push_back(*row);
   return rows;
 }
@@ -144,13 +140,13 @@ std::vector<Row> run_effects(const EffectStudy& study, const RunSettings& settin
     return before && (before->status == Status::answered || !settings.retry_failed);
   };
   std::size_t done = 0;
-  for (const Row& row : rows_of_plan(study, store.rows()))
+  for (const Row& row : rows_of_plan(study, store.rows(), sources()))
     done += is_done(row);
   const std::size_t runs = study.effects.size() * static_cast<std::size_t>(study.repeats);
   tell(fmt::format("{} runs, {} to do", runs, runs - done));
   for (int repeat = 1; repeat <= study.repeats; ++repeat)
     for (const Effect& effect : study.effects) {
-      Row row = identity(study, effect, repeat);
+      Row row = identity(study, effect, repeat, sources());
       if (is_done(row))
         continue;
       run_one(study, effect, settings, row);
@@ -161,11 +157,15 @@ std::vector<Row> run_effects(const EffectStudy& study, const RunSettings& settin
                            : row.message));
     }
   std::filesystem::remove_all(work.scratch());
-  return rows_of_plan(study, store.rows());
+  return rows_of_plan(study, store.rows(), sources());
 }
 
 std::vector<Row> stored_effects(const EffectStudy& study, const WorkFolder& work) {
-  return rows_of_plan(study, read_rows(work.rows()));
+  const std::vector<Row> stored = read_rows(work.rows());
+  for (auto row = stored.rbegin(); row != stored.rend(); ++row)
+    if (std::vector<Row> rows = rows_of_plan(study, stored, row->answer_sources); !rows.empty())
+      return rows;
+  return {};
 }
 
 } // namespace studies

@@ -22,7 +22,11 @@ ConsolidationError error_of(const Consolidation& test);
 ExperimentReport consolidation_report(const Consolidation& test, const Oedometer& asked);
 ExperimentReport run_consolidation(bool quick, const Say& say);
 
-inline constexpr Experiment consolidation_experiment{
-    "consolidation", "Consolidation of a layer of grains against Terzaghi's solution", run_consolidation};
+inline constexpr Experiment consolidation_experiment{"consolidation",
+                                                     "Consolidation of a layer of grains against Terzaghi's solution",
+                                                     "Does a layer of grains with fluid in its pores settle, and does "
+                                                     "the pressure in it fall, as Terzaghi's theory says, "
+                                                     "with nothing fitted?",
+                                                     run_consolidation};
 
 } // namespace studies

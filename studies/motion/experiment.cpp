@@ -6,10 +6,13 @@
 #include "studies/motion/uplift.hpp"
 #include "studies/runner/build_info.hpp"
 #include "studies/runner/files.hpp"
+#include "studies/runner/now_utc.hpp"
 #include "studies/runner/number_text.hpp"
+#include "studies/runner/write_pages.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <fmt/format.h>
 
@@ -25,9 +28,30 @@ const Experiment* experiment_named(std::string_view name) {
   return found == experiments().end() ? nullptr : &*found;
 }
 
-void write_report(const ExperimentReport& report, const std::filesystem::path& folder) {
+Expectation within(std::string what, double value, double bound) {
+  return {std::move(what), percent(value), "within " + percent(bound), std::abs(value) <= bound};
+}
+
+bool all_hold(std::span<const Expectation> expectations) {
+  return std::ranges::all_of(expectations, &Expectation::holds);
+}
+
+Document page_of(const Experiment& experiment, std::span<const Expectation> expectations) {
+  Document page{std::string(experiment.title), {}};
+  page.add(Paragraph{std::string(experiment.question)});
+  const auto held = std::ranges::count_if(expectations, &Expectation::holds);
+  page.add(Paragraph{fmt::format("{}{} of {} expectations hold.", outcome_lead, held, expectations.size())});
+  List list;
+  for (const Expectation& one : expectations)
+    list.items.push_back(
+        fmt::format("*{}*: {}: {}, to be {}.", one.holds ? "holds" : "does not hold", one.what, one.found, one.bound));
+  page.add(list);
+  return page;
+}
+
+std::filesystem::path write_report(const ExperimentReport& report, const std::filesystem::path& folder,
+                                   const std::filesystem::path& readme) {
   std::filesystem::create_directories(folder);
-  write_file(folder / "report.md", report.page);
   for (const auto& [name, text] : report.files)
     write_file(folder / name, text);
   for (const auto& [name, text] : report.files)
@@ -38,12 +62,14 @@ void write_report(const ExperimentReport& report, const std::filesystem::path& f
       else if (std::system(draw.c_str()) != 0)
         fmt::print(stderr, "gnuplot could not draw {}\n", (folder / name).string());
     }
+  return write_pages(report.page, folder, readme);
 }
 
 std::string figure_script(int width, int height, int plots, std::string_view commands) {
   return fmt::format("set terminal svg size {},{} font \"Helvetica,13\" background rgb \"white\"\n"
                      "set output \"figure.svg\"\nset datafile separator \",\"\nset multiplot layout 1,{}\n"
-                     "set border 3\nset tics nomirror\n{}",
+                     "set border 3\nset tics nomirror\nset bmargin 6\nset key at graph 0.5, graph -0.26 center top "
+                     "maxcols 2 samplen 2\n{}",
                      width, height, plots, commands);
 }
 
@@ -64,7 +90,11 @@ Table cost_table(std::span<const pfv::Stage> stages, std::size_t steps) {
 Table build_table() {
   const BuildInfo& build = build_info();
   return {{{"what"}, {"value"}},
-          {{"commit", build.commit}, {"compiler", build.compiler}, {"flags", build.flags}, {"machine", machine()}}};
+          {{"commit", build.commit},
+           {"compiler", build.compiler},
+           {"flags", build.flags},
+           {"machine", machine()},
+           {"run (UTC)", now_utc()}}};
 }
 
 } // namespace studies

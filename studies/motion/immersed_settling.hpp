@@ -35,6 +35,8 @@ ExperimentReport run_immersed_settling(bool quick, const Say& say);
 inline constexpr Experiment settling_experiment{
     "immersed_settling",
     "A suspension settles into a bed: excess pressure carries the buoyant weight, then contacts do",
+    "Does the pressure below a settling suspension carry its buoyant weight until contacts do, and all of it at any "
+    "time?",
     run_immersed_settling};
 
 } // namespace studies

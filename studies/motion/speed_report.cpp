@@ -1,9 +1,6 @@
 #include "studies/motion/speed.hpp"
 
-#include "studies/motion/liggghts.hpp"
 #include "studies/runner/number_text.hpp"
-
-#include "reference/yade/program.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -92,36 +89,25 @@ Table scheme_table(const SchemeSpeed& one) {
         fmt::format("{:.4g}", one.implicit_settlement)}}};
 }
 
-std::string verdict(const char* what, std::optional<double> reached, double bound) {
-  if (!reached)
-    return fmt::format("- {}: *unavailable*, the peer is not installed; at least {} is asked.\n", what, bound);
-  return fmt::format("- {}: {:.2f}; at least {} is asked: *{}*.\n", what, *reached, bound,
-                     *reached >= bound ? "holds" : "falls short");
+Expectation at_least(std::string what, double reached, double bound) {
+  return {std::move(what), fmt::format("{:.2f}", reached), fmt::format("at least {}", bound), reached >= bound};
 }
 
-struct Verdicts {
-  std::optional<double> dry, coupled;
-  double scheme;
-
-  std::string text() const {
-    return verdict("Dry steps per CPU second over those of LIGGGHTS, the least of all", dry, dry_bound) +
-           verdict("Steps of the coupled oedometer per CPU second over those of YADE", coupled, coupled_bound) +
-           verdict("Simulated time per CPU second, semi-implicit over explicit", scheme, scheme_bound);
-  }
-  bool hold() const {
-    return dry.value_or(dry_bound) >= dry_bound && coupled.value_or(coupled_bound) >= coupled_bound &&
-           scheme >= scheme_bound;
-  }
-};
-
-Verdicts verdicts(const Speed& speed) {
-  Verdicts result{{}, {}, speed.scheme.cpu_seconds / speed.scheme.implicit_cpu_seconds};
+/// Of what could be run here.
+std::vector<Expectation> expectations_of(const Speed& speed) {
+  std::vector<Expectation> list;
+  std::optional<double> dry;
   for (const DrySpeed& one : speed.dry)
     if (one.theirs)
-      result.dry = std::min(result.dry.value_or(1e300), ratio(*one.theirs, one.ours).median);
+      dry = std::min(dry.value_or(1e300), ratio(*one.theirs, one.ours).median);
+  if (dry)
+    list.push_back(at_least("dry steps per CPU second over those of LIGGGHTS, the least of all", *dry, dry_bound));
   if (speed.coupled.theirs)
-    result.coupled = ratio(*speed.coupled.theirs, speed.coupled.ours).median;
-  return result;
+    list.push_back(at_least("steps of the coupled oedometer per CPU second over those of YADE",
+                            ratio(*speed.coupled.theirs, speed.coupled.ours).median, coupled_bound));
+  list.push_back(at_least("simulated time per CPU second, semi-implicit over explicit",
+                          speed.scheme.cpu_seconds / speed.scheme.implicit_cpu_seconds, scheme_bound));
+  return list;
 }
 
 constexpr const char* how_to_read = R"(
@@ -143,22 +129,30 @@ above, then 1 kPa more; explicit, with its settings of FlowEngine (meshes anew a
 } // namespace
 
 ExperimentReport speed_report(const Speed& speed) {
-  const Verdicts result = verdicts(speed);
+  const CoupledSpeed& coupled = speed.coupled;
+  const std::vector<Expectation> expectations = expectations_of(speed);
   ExperimentReport report;
-  report.holds = result.hold();
-  report.page = fmt::format(
-      "# {}\n{}\n## What came out\n\n{}\n## Dry grains\n\n{}\n{}\n## Coupled oedometer, {} grains\n\n{}\nOurs at the "
-      "common step: {} renewals of the pores in place, {} triangulations, {:.2f} iterations for a pressure field; by "
-      "stage:\n\n{}\n## Semi-implicit against explicit, {} grains, {} s\n\n{}\n"
-      "## Where the numbers come from\n\n{}",
-      speed_experiment.title, how_to_read, result.text(), to_markdown(dry_table(speed.dry)),
-      to_markdown(growth_table(speed.dry)), speed.coupled.grains, to_markdown(coupled_table(speed.coupled)),
-      speed.coupled.counts.refreshed, speed.coupled.counts.rebuilt,
-      static_cast<double>(speed.coupled.counts.iterations) / static_cast<double>(speed.coupled.counts.solves),
-      to_markdown(cost_table(speed.coupled.stages, speed.coupled.steps)), speed.scheme.grains, speed.scheme.duration,
-      to_markdown(scheme_table(speed.scheme)), to_markdown(build_table()));
-  report.summary = to_plain(dry_table(speed.dry)) + '\n' + to_plain(coupled_table(speed.coupled)) + '\n' +
-                   to_plain(scheme_table(speed.scheme)) + '\n' + result.text();
+  report.holds = all_hold(expectations);
+  Document& page = report.page = page_of(speed_experiment, expectations);
+  page.add(Paragraph{how_to_read});
+  page.add(Heading{"Dry grains"});
+  page.add(dry_table(speed.dry));
+  page.add(growth_table(speed.dry));
+  page.add(Heading{fmt::format("Coupled oedometer, {} grains, {} pores", coupled.grains, coupled.pores)});
+  page.add(coupled_table(coupled));
+  page.add(Paragraph{fmt::format(
+      "Ours at the common step: {} renewals of the pores in place, {} triangulations, {:.2f} iterations for a pressure "
+      "field; by stage:",
+      coupled.counts.refreshed, coupled.counts.rebuilt,
+      static_cast<double>(coupled.counts.iterations) / static_cast<double>(coupled.counts.solves))});
+  page.add(cost_table(coupled.stages, coupled.steps));
+  page.add(Heading{
+      fmt::format("Semi-implicit against explicit, {} grains, {} s", speed.scheme.grains, speed.scheme.duration)});
+  page.add(scheme_table(speed.scheme));
+  page.add(Heading{"Where the numbers come from"});
+  page.add(build_table());
+  report.summary = to_plain(dry_table(speed.dry)) + '\n' + to_plain(coupled_table(coupled)) + '\n' +
+                   to_plain(scheme_table(speed.scheme));
   return report;
 }
 

@@ -32,6 +32,8 @@ ExperimentReport uplift_report(const Uplift& test);
 ExperimentReport run_uplift(bool quick, const Say& say);
 
 inline constexpr Experiment uplift_experiment{
-    "uplift", "A bed lifted by an upward flow, against the critical gradient (1 - n)(G_s - 1)", run_uplift};
+    "uplift", "A bed lifted by an upward flow, against the critical gradient (1 - n)(G_s - 1)",
+    "Does an upward flow lift a bed of grains at the critical gradient, where it carries the whole buoyant weight?",
+    run_uplift};
 
 } // namespace studies

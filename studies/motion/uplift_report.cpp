@@ -40,7 +40,6 @@ std::string moments_csv(const Uplift& test) {
 
 constexpr const char* figure = R"gnuplot(set xlabel "i / i_c"
 set arrow from 1, graph 0 to 1, graph 1 nohead dt 2 lc rgb "#888888"
-set key left center samplen 2
 set ylabel "force / buoyant weight"
 set yrange [0:1.2]
 plot "moments.csv" skip 1 using 1:3 with points pt 7 ps 0.4 lc rgb "#1f5fa8" title "fluid", \
@@ -50,26 +49,36 @@ set yrange [*:*]
 plot "moments.csv" skip 1 using 1:4 with points pt 7 ps 0.4 lc rgb "#1f5fa8" notitle
 )gnuplot";
 
-constexpr const char* how_to_read = R"(
-A bed settled under its buoyant weight stands in a box that repeats sideways. The excess pressure below it is raised
+constexpr const char* how_to_read =
+    R"(A bed settled under its buoyant weight stands in a box that repeats sideways. The excess pressure below it is raised
 from zero, slowly against the time in which the pressures of the bed even out. The gradient is that
 of the pressures in the middle of the bed, from a fifth to four fifths of its height; so is the porosity. At the critical
-gradient of Terzaghi the fluid carries the whole weight, nothing is left for the floor, and the bed comes loose.
-)";
+gradient of Terzaghi the fluid carries the whole weight, nothing is left for the floor, and the bed comes loose.)";
 
 } // namespace
 
 ExperimentReport uplift_report(const Uplift& test) {
+  const Expectation expectations[] = {
+      within("gradient at which the fluid carries the whole weight, beyond the critical one",
+             test.carried_at / test.critical - 1, tolerance),
+      within("gradient at which the bed has risen, beyond the critical one", test.risen_at / test.critical - 1,
+             tolerance),
+      within("largest distance of lift and floor together from the weight before", imbalance(test), balance_tolerance)};
   ExperimentReport report;
-  const auto near = [&](double gradient) { return std::abs(gradient / test.critical - 1) <= tolerance; };
-  report.holds = near(test.carried_at) && near(test.risen_at) && imbalance(test) <= balance_tolerance;
+  report.holds = all_hold(expectations);
   const Table table = findings(test);
-  report.page = fmt::format("# {}\n\n![Forces and rise over the gradient](figure.svg)\n{}\nBoth gradients are to be "
-                            "within {} of i_c, lift and floor together within {} of the weight.\n\n{}\n## Cost\n\n{} "
-                            "steps\n\n{}\n## Where the numbers come from\n\n{}",
-                            uplift_experiment.title, how_to_read, percent(tolerance), percent(balance_tolerance),
-                            to_markdown(table), test.steps, to_markdown(cost_table(test.stages, test.steps)),
-                            to_markdown(build_table()));
+  Document& page = report.page = page_of(uplift_experiment, expectations);
+  page.add(Figure{"Forces and rise over the gradient", "figure.svg"});
+  page.add(Paragraph{how_to_read});
+  page.add(Paragraph{fmt::format("Both gradients are to be within {} of i_c, lift and floor together within {} of the "
+                                 "weight.",
+                                 percent(tolerance), percent(balance_tolerance))});
+  page.add(table);
+  page.add(Heading{"Cost"});
+  page.add(Paragraph{fmt::format("{} steps", test.steps)});
+  page.add(cost_table(test.stages, test.steps));
+  page.add(Heading{"Where the numbers come from"});
+  page.add(build_table());
   report.files = {{"moments.csv", moments_csv(test)}, {"figure.gp", figure_script(760, 360, 2, figure)}};
   report.summary = to_plain(table);
   return report;

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "studies/document/table.hpp"
 #include "studies/runner/row.hpp"
-#include "studies/runner/table.hpp"
 
 #include <filesystem>
 #include <span>

@@ -1,23 +1,50 @@
 #include "studies/runner/report.hpp"
 
 #include "studies/runner/number_text.hpp"
+#include "studies/runner/packing_picture.hpp"
 #include "studies/runner/provenance.hpp"
+#include "studies/runner/report_plots.hpp"
 #include "studies/runner/result_table.hpp"
 #include "studies/runner/scaling.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <map>
+
 namespace studies {
 
 namespace {
 
-std::string plan_sentence(const Scope& scope) {
-  std::string text =
-      scope.quick ? "\nThis is the quick plan: fewer cases and coarser meshes than the study's full plan.\n" : "";
+void add_plan(const Scope& scope, Document& page) {
+  if (scope.quick)
+    page.add(Paragraph{"This is the quick plan: fewer cases and coarser meshes than the study's full plan."});
   if (!scope.methods.empty())
-    text += fmt::format("\nOnly these methods were asked: {}.\n", fmt::join(scope.methods, ", "));
-  return text;
+    page.add(Paragraph{fmt::format("Only these methods were asked: {}.", fmt::join(scope.methods, ", "))});
+}
+
+/// "65 answers agree with the reference stokes_fem, 28 differ from it, 14 not covered."
+std::string outcome(const Study& study, std::span<const Result> list) {
+  std::size_t agree = 0, differ = 0, without_reference = 0;
+  std::map<std::string_view, std::size_t> unanswered;
+  for (const Result& result : list) {
+    if (!result.finding.answered())
+      ++unanswered[name(result.finding.told().status)];
+    else if (result.comparison.outcome == Outcome::agrees)
+      ++agree;
+    else if (result.comparison.outcome == Outcome::differs)
+      ++differ;
+    else if (result.comparison.outcome)
+      ++without_reference;
+  }
+  std::string text =
+      fmt::format("{} {} with the reference {}, {} {} from it", agree, agree == 1 ? "answer agrees" : "answers agree",
+                  study.reference, differ, differ == 1 ? "differs" : "differ");
+  if (without_reference > 0)
+    text += fmt::format(", {} without an answer of it to compare with", without_reference);
+  for (const auto& [status, times] : unanswered)
+    text += fmt::format(", {} {}", times, status);
+  return text + '.';
 }
 
 std::string value_sentence(const Finding& finding) {
@@ -35,79 +62,105 @@ std::string value_sentence(const Finding& finding) {
 
 std::string sentence(const StudyCase& one, const Result& result) {
   const Finding& finding = result.finding;
-  std::string text = fmt::format("- **{} ({} spheres), {}**: ", one.label, finding.told().spheres, finding.method);
+  std::string text = fmt::format("**{} ({} spheres), {}**: ", one.label, finding.told().spheres, finding.method);
   if (!finding.answered())
-    return text + fmt::format("{}: {}.\n", name(finding.told().status), finding.told().message);
+    return text + fmt::format("{}: {}.", name(finding.told().status), finding.told().message);
   text += value_sentence(finding);
   if (result.comparison.outcome)
     text += fmt::format("; *{}*", name(*result.comparison.outcome));
   text += fmt::format(": {}.", result.comparison.because);
   if (const std::string trouble = finding.trouble(); !trouble.empty())
     text += fmt::format(" Without an answer at {}.", trouble);
-  return text + '\n';
-}
-
-std::string outcome_sentences(const Study& study, std::span<const Result> list) {
-  std::string text;
-  for (const StudyCase& one : study.cases)
-    for (const Result& result : list)
-      if (result.finding.case_id == one.id)
-        text += sentence(one, result);
   return text;
 }
 
-std::string how_to_read(const Study& study) {
-  std::string text = fmt::format(
+List outcome_sentences(const Study& study, std::span<const Result> list) {
+  List sentences;
+  for (const StudyCase& one : study.cases)
+    for (const Result& result : list)
+      if (result.finding.case_id == one.id)
+        sentences.items.push_back(sentence(one, result));
+  return sentences;
+}
+
+void add_how_to_read(const Study& study, Document& page) {
+  page.add(Paragraph{fmt::format(
       "Permeability k: with two or more meshes the Richardson value at mesh size zero; its error is, with "
       "three, what is left of the drift from the value of the coarser two if it falls as the values do, and at least "
       "{} "
       "of the distance from the finest mesh to it; with two {} times that distance. Differences are "
       "relative to the reference, {}; that of the forces is "
       "sqrt(sum |F - F_ref|² / sum |F_ref|²) over the spheres. *Unresolved* is a difference below the reference's own "
-      "error. Two answers agree when permeability is within {}, forces within {}, or either within the error bars.\n\n"
+      "error. Two answers agree when permeability is within {}, forces within {}, or either within the error bars.",
+      least_share, extrapolation_safety, study.reference, percent(study.tolerance.permeability),
+      percent(study.tolerance.forces))});
+  page.add(Paragraph{
       "Dofs, CPU seconds and memory are those of the finest mesh, on one thread; memory is what the method itself adds "
       "to "
       "its process, or its largest outside program. *Mesh* is what making the mesh takes, "
       "counted in full when it came from a cache; *once* is all other work done once per packing (geometry, assembly, "
       "factorisation); *solve* is what one more question to the same packing takes, forces included. Short runs are "
-      "repeated and the one with the median CPU seconds is kept.\n",
-      least_share, extrapolation_safety, study.reference, percent(study.tolerance.permeability),
-      percent(study.tolerance.forces));
+      "repeated and the one with the median CPU seconds is kept."});
   if (!study.published_source.empty())
-    text += fmt::format("\nPublished figures: {}.\n", study.published_source);
-  return text;
+    page.add(Paragraph{fmt::format("Published figures: {}.", study.published_source)});
 }
 
-std::string scaling_section(const Study& study, std::span<const Result> list) {
+void add_scaling(const Study& study, std::span<const Result> list, Document& page) {
   const std::vector<TitledTable> tables = scaling_tables(study, list);
   if (tables.empty())
-    return "";
-  std::string text =
-      "\n## How cost grows\n\n"
-      "*All* is the whole first iteration, from the spheres to the forces on them; a *repeated step* is one "
-      "more of a moving packing that keeps its triangulation. An exponent is the slope between two sizes in "
-      "logarithms.\n";
-  for (const auto& [title, table] : tables)
-    text += fmt::format("\n### {}\n\n{}", title, to_markdown(table));
-  return text;
+    return;
+  page.add(Heading{"How cost grows"});
+  page.add(
+      Paragraph{"*All* is the whole first iteration, from the spheres to the forces on them; a *repeated step* is one "
+                "more of a moving packing that keeps its triangulation. An exponent is the slope between two sizes in "
+                "logarithms."});
+  for (const Plot& plot : scaling_plots(study, list))
+    page.add(plot);
+  for (const auto& [title, table] : tables) {
+    page.add(Heading{title, 3});
+    page.add(table);
+  }
 }
+
+constexpr std::size_t long_list = 40; // more lines than this are folded
 
 } // namespace
 
-std::string report(const Study& study, const Scope& scope, std::span<const Row> rows,
-                   const std::filesystem::path& answers) {
+Document report(const Study& study, const Scope& scope, std::span<const Row> rows,
+                const std::filesystem::path& answers) {
   const std::vector<Result> list = results(study, rows, answers);
-  std::string text = fmt::format("# {}\n\n{}\n{}", study.title, study.question, plan_sentence(scope));
-  if (rows.empty())
-    return text + "\nNothing has been run yet.\n";
-  text += fmt::format("\n## Results\n\n{}\n{}", to_markdown(result_table(study, list)), how_to_read(study));
-  text += scaling_section(study, list);
-  text += fmt::format("\n## What the comparisons say\n\n{}", outcome_sentences(study, list));
-  text += fmt::format("\n## Runs\n\n{}", to_markdown(run_table(rows)));
-  text += fmt::format("\n## Where the numbers come from\n\n{}", to_markdown(provenance(rows)));
+  Document page{study.title, {}};
+  page.add(Paragraph{study.question});
+  add_plan(scope, page);
+  if (rows.empty()) {
+    page.add(Paragraph{"Nothing has been run yet."});
+    return page;
+  }
+  page.add(Paragraph{std::string(outcome_lead) + outcome(study, list)});
+  page.add(Heading{"Results"});
+  for (const Plot& plot : permeability_plots(study, list))
+    page.add(plot);
+  if (Plot plot = error_plot(study, list); !plot.empty())
+    page.add(plot);
+  for (const Figure& figure : packing_figures(study, list))
+    page.add(figure);
+  page.add(result_table(study, list));
+  add_how_to_read(study, page);
+  add_scaling(study, list, page);
+  const Heading says{"What the comparisons say"};
+  const List sentences = outcome_sentences(study, list);
+  if (sentences.items.size() > long_list)
+    page.add(Details{says, {{sentences}}});
+  else {
+    page.add(says);
+    page.add(sentences);
+  }
+  page.add(Details{Heading{"Runs"}, {{run_table(rows)}}});
+  page.add(Heading{"Where the numbers come from"});
+  page.add(provenance(rows));
   if (const Table notes = method_notes(rows, answers); !notes.rows.empty())
-    text += fmt::format("\n{}", to_markdown(notes));
-  return text;
+    page.add(notes);
+  return page;
 }
 
 } // namespace studies

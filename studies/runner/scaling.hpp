@@ -1,7 +1,7 @@
 #pragma once
 
+#include "studies/document/table.hpp"
 #include "studies/runner/result.hpp"
-#include "studies/runner/table.hpp"
 
 #include <optional>
 #include <span>

@@ -192,7 +192,8 @@ Study read_study(const std::filesystem::path& file) {
                   {"title", "question", "reference", "published_source", "tolerance", "budget", "samples", "scaling",
                    "method", "case"});
   Study study;
-  study.name = std::filesystem::absolute(file).parent_path().filename().string();
+  study.folder = std::filesystem::absolute(file).parent_path();
+  study.name = study.folder.filename().string();
   study.title = pfv::as_text(pfv::required(root, "the study", "title"), "title");
   study.question = pfv::as_text(pfv::required(root, "the study", "question"), "question");
   if_present(root, "published_source",

@@ -54,7 +54,8 @@ struct Scaling {
 
 /// One question, asked of several methods on several cases.
 struct Study {
-  std::string name; // of its folder
+  std::string name;             // of its folder
+  std::filesystem::path folder; // of its study.toml; empty for a study that has none
   std::string title;
   std::string question;
   std::string reference;        // method all others are compared with

@@ -4,15 +4,14 @@
 #include "studies/runner/build_info.hpp"
 #include "studies/runner/case_store.hpp"
 #include "studies/runner/finding.hpp"
+#include "studies/runner/now_utc.hpp"
 #include "studies/runner/number_text.hpp"
 #include "studies/runner/run.hpp"
 #include "studies/runner/run_key.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <exception>
 #include <map>
 #include <mutex>
@@ -21,10 +20,6 @@
 namespace studies {
 
 namespace {
-
-std::string now_utc() {
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now()));
-}
 
 const StudyCase& case_of(const Study& study, const std::string& id) {
   return *std::ranges::find(study.cases, id, &StudyCase::id);

@@ -1,3 +1,4 @@
+#include "studies/document/markdown.hpp"
 #include "studies/motion/immersed_settling.hpp"
 #include "studies/motion/uplift.hpp"
 
@@ -5,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace studies {
 namespace {
@@ -28,7 +30,7 @@ TEST(ImmersedSettling, FluidAndFloorCarryTheWeightAndTheFloorAllOfItInTheEnd) {
   EXPECT_LT(test.moments.back().floor_pressure, 0.1);
   EXPECT_GT(test.bed_porosity, 0.35);
   EXPECT_LT(test.bed_porosity, 0.65);
-  EXPECT_NE(settling_report(test).page.find("buoyant weight"), std::string::npos);
+  EXPECT_NE(to_markdown(settling_report(test).page).find("buoyant weight"), std::string::npos);
 }
 
 TEST(Uplift, LeavesTheFloorNearTheCriticalGradient) {
@@ -39,9 +41,21 @@ TEST(Uplift, LeavesTheFloorNearTheCriticalGradient) {
   EXPECT_NEAR(test.floor_left_at / test.critical, 1, 0.1);
   EXPECT_NEAR(test.risen_at / test.critical, 1, 0.1);
   for (const UpliftMoment& moment : test.moments)
-    if (moment.rise < 0.01)
+    if (moment.rise < 0.01) {
       EXPECT_NEAR(moment.lift + moment.on_floor, 1, 0.05);
+    }
   EXPECT_GT(test.moments.back().rise, 0.01);
+}
+
+TEST(Experiments, TellTheirQuestionAndTheOutcomeOfEveryExpectation) {
+  const Expectation expectations[] = {within("one", -0.02, 0.03), within("other", 0.04, 0.03)};
+  EXPECT_FALSE(all_hold(expectations));
+  EXPECT_TRUE(all_hold(std::span(expectations).first(1)));
+  const Document page = page_of(uplift_experiment, expectations);
+  EXPECT_EQ(outcome_of(page), "1 of 2 expectations hold.");
+  const std::string text = to_markdown(page);
+  EXPECT_NE(text.find(uplift_experiment.question), text.npos);
+  EXPECT_NE(text.find("- *holds*: one: -2 %, to be within 3 %.\n- *does not hold*: other: 4 %"), text.npos) << text;
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+#include "studies/document/markdown.hpp"
 #include "studies/motion/consolidation.hpp"
 #include "studies/motion/line_fit.hpp"
 #include "studies/motion/terzaghi.hpp"
@@ -62,7 +63,7 @@ TEST(Consolidation, OfASmallLayerKeepsItsEnergyAndComesNearTerzaghi) {
     EXPECT_NEAR(moment.middle_pressure, expected_pressure(test.layer, moment.time_factor, 0.5), 0.12);
   }
   const ExperimentReport report = consolidation_report(test, asked);
-  EXPECT_NE(report.page.find("c_v"), std::string::npos);
+  EXPECT_NE(to_markdown(report.page).find("c_v"), std::string::npos);
 }
 
 } // namespace

@@ -43,11 +43,22 @@ TEST_F(Program, AnswersAndReports) {
     EXPECT_FALSE(row.commit.empty() || row.compiler.empty() || row.flags.empty() || row.machine.empty());
     EXPECT_TRUE(std::filesystem::exists(folder_.path() / "work" / "answers" / (row.key + ".json")));
   }
-  const auto report = folder_.path() / "work" / "report.md";
-  EXPECT_NE(output.out.find(report.string()), std::string::npos);
+  const auto report = folder_.path() / "work" / "report.html";
+  EXPECT_TRUE(output.out.ends_with("Report: " + report.string() + "\n"));
   EXPECT_NE(pfv::read_text(report).find("Does the harness work?"), std::string::npos);
+  EXPECT_NE(pfv::read_text(folder_.path() / "work" / "report.md").find("Does the harness work?"), std::string::npos);
   EXPECT_EQ(output.out.find('\033'), std::string::npos) << "escape codes without a terminal";
   EXPECT_EQ(output.err.find('\033'), std::string::npos) << "escape codes without a terminal";
+}
+
+TEST(Index, HasALineForEveryStudy) {
+  const TemporaryFolder folder;
+  const StudyOutput output = study({"index", "--to", folder.path().string()});
+  EXPECT_EQ(output.exit_code, 0) << output.err;
+  EXPECT_EQ(output.out, "Index: " + (folder.path() / "index.html").string() + "\n");
+  const std::string page = pfv::read_text(folder.path() / "index.html");
+  for (const char* name : {"agreement", "consolidation", "effects", "lattices", "scaling", "table1"})
+    EXPECT_NE(page.find(name), std::string::npos) << name;
 }
 
 TEST(Experiments, AreListedAndRefuseWhatTheyHaveNoUseFor) {
@@ -176,8 +187,8 @@ TEST_F(Program, ReportsAgainFromStoredRowsAndPublishes) {
   std::filesystem::remove(folder_.path() / "work" / "report.md");
   EXPECT_EQ(study({"report", folder_.path().string(), "--publish"}).exit_code, 0);
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / "work" / "report.md"));
-  EXPECT_EQ(pfv::read_text(folder_.path() / "results" / "report.md"),
-            pfv::read_text(folder_.path() / "work" / "report.md"));
+  for (const char* page : {"report.md", "report.html"})
+    EXPECT_EQ(pfv::read_text(folder_.path() / "results" / page), pfv::read_text(folder_.path() / "work" / page));
   EXPECT_EQ(studies::read_rows(folder_.path() / "results" / "rows.csv"), rows());
 }
 

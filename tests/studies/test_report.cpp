@@ -1,5 +1,6 @@
 #include "studies/runner/report.hpp"
 
+#include "studies/document/markdown.hpp"
 #include "studies/runner/result_table.hpp"
 #include "tests/studies/example_row.hpp"
 #include "tests/studies/study_text.hpp"
@@ -80,7 +81,7 @@ TEST(ResultTable, LeavesPublishedColumnsOutWhenThereAreNone) {
 
 TEST(Report, HasQuestionTableSentencesRunsAndProvenance) {
   const studies::Study study = example_study();
-  const std::string text = studies::report(study, {}, example_rows(), "/nowhere");
+  const std::string text = studies::to_markdown(studies::report(study, {}, example_rows(), "/nowhere"));
   EXPECT_TRUE(text.starts_with("# A study\n\nDoes the harness work?\n"));
   EXPECT_EQ(section(text, "## What the comparisons say").size(), 3U);
   EXPECT_EQ(section(text, "## Runs").size(), 2 + example_rows().size());
@@ -90,7 +91,7 @@ TEST(Report, HasQuestionTableSentencesRunsAndProvenance) {
 }
 
 TEST(Report, EveryTableLineHasAsManyCellsAsItsHead) {
-  const std::string text = studies::report(example_study(), {}, example_rows(), "/nowhere");
+  const std::string text = studies::to_markdown(studies::report(example_study(), {}, example_rows(), "/nowhere"));
   std::istringstream in(text);
   std::ptrdiff_t bars = 0;
   for (std::string line; std::getline(in, line);) {

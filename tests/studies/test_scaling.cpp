@@ -1,5 +1,6 @@
 #include "studies/runner/scaling.hpp"
 
+#include "studies/document/markdown.hpp"
 #include "studies/runner/report.hpp"
 #include "tests/studies/example_row.hpp"
 #include "tests/studies/study_text.hpp"
@@ -70,10 +71,12 @@ TEST(Exponent, NeedsTwoSizesAndPositiveValues) {
 TEST(Scaling, IsOnlyToldWhenTheStudyAsksForIt) {
   studies::Study study = example_study();
   EXPECT_FALSE(tables_of(example_rows(), study).empty());
-  EXPECT_NE(studies::report(study, {}, example_rows(), "/nowhere").find("## How cost grows"), std::string::npos);
+  EXPECT_NE(studies::to_markdown(studies::report(study, {}, example_rows(), "/nowhere")).find("## How cost grows"),
+            std::string::npos);
   study.scaling.reset();
   EXPECT_TRUE(tables_of(example_rows(), study).empty());
-  EXPECT_EQ(studies::report(study, {}, example_rows(), "/nowhere").find("## How cost grows"), std::string::npos);
+  EXPECT_EQ(studies::to_markdown(studies::report(study, {}, example_rows(), "/nowhere")).find("## How cost grows"),
+            std::string::npos);
 }
 
 TEST(Scaling, TellsCostBySizeFromSmallToLarge) {

@@ -1,4 +1,4 @@
-#include "studies/runner/table.hpp"
+#include "studies/document/table.hpp"
 
 #include <gtest/gtest.h>
 

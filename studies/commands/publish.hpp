@@ -1,0 +1,17 @@
+#pragma once
+
+#include "studies/document/document.hpp"
+#include "studies/runner/row.hpp"
+
+#include <filesystem>
+#include <vector>
+
+namespace studies {
+
+/// The README.md of a study's folder; empty for a study without a folder.
+std::filesystem::path readme_of(const std::filesystem::path& study_folder);
+
+/// Puts the pages and the rows into the results of a study's folder, and says so.
+void publish(const Document& page, const std::vector<Row>& rows, const std::filesystem::path& study_folder);
+
+} // namespace studies
