@@ -1,6 +1,7 @@
 #include "studies/runner/report.hpp"
 
 #include "studies/runner/number_text.hpp"
+#include "studies/runner/own_error.hpp"
 #include "studies/runner/provenance.hpp"
 #include "studies/runner/result_table.hpp"
 #include "studies/runner/scaling.hpp"
@@ -28,8 +29,10 @@ std::string value_sentence(const Finding& finding) {
   std::size_t answered = 0;
   for (const Row& row : finding.rows)
     answered += row.status == Status::answered ? 1 : 0;
-  if (k.error)
-    return text + fmt::format(", extrapolated from {} meshes with order {:.2g}", answered, *k.order);
+  if (k.error) {
+    text += fmt::format(", extrapolated from {} meshes with order {:.2g}", answered, *k.order);
+    return finding.bridge_error > 0 ? text + fmt::format(" (bridges: ± {})", percent(finding.bridge_error)) : text;
+  }
   return text + (finding.told().convergence_order ? ", from one mesh, so without an error bar" : ", without a mesh");
 }
 
@@ -58,10 +61,12 @@ std::string outcome_sentences(const Study& study, std::span<const Result> list) 
 
 std::string how_to_read(const Study& study) {
   std::string text = fmt::format(
-      "Permeability k: with two or more meshes the Richardson value at mesh size zero; its error is, with "
-      "three, what is left of the drift from the value of the coarser two if it falls as the values do, and at least "
-      "{} "
-      "of the distance from the finest mesh to it; with two {} times that distance. Differences are "
+      "Permeability k: with two or more meshes the Richardson value at mesh size zero. Its error is, with three, "
+      "what is left of the drift from the value of the coarser two, if it falls as the values do, and at least {} of "
+      "the "
+      "distance from the finest mesh to it; with two, {} times that distance, taken with order {} at most. Added to it "
+      "are what the noise of the values makes of it, {} of what the flux differs by between sections of the box, and, "
+      "where bridges stand for contacts, {} of the share of the fluid that they take. Differences are "
       "relative to the reference, {}; that of the forces is "
       "sqrt(sum |F - F_ref|² / sum |F_ref|²) over the spheres. *Unresolved* is a difference below the reference's own "
       "error. Two answers agree when permeability is within {}, forces within {}, or either within the error bars.\n\n"
@@ -71,8 +76,8 @@ std::string how_to_read(const Study& study) {
       "counted in full when it came from a cache; *once* is all other work done once per packing (geometry, assembly, "
       "factorisation); *solve* is what one more question to the same packing takes, forces included. Short runs are "
       "repeated and the one with the median CPU seconds is kept.\n",
-      least_share, extrapolation_safety, study.reference, percent(study.tolerance.permeability),
-      percent(study.tolerance.forces));
+      least_share, extrapolation_safety, unseen_order, noise_share, bridge_share, study.reference,
+      percent(study.tolerance.permeability), percent(study.tolerance.forces));
   if (!study.published_source.empty())
     text += fmt::format("\nPublished figures: {}.\n", study.published_source);
   return text;
