@@ -17,6 +17,11 @@ double richardson(const Sample& coarse, const Sample& fine, double order) {
   return fine.value + (fine.value - coarse.value) / (ratio - 1);
 }
 
+double noise_of_richardson(const Sample& coarse, const Sample& fine, double order) {
+  const double ratio = std::pow(coarse.mesh_size / fine.mesh_size, order);
+  return (ratio * fine.noise + coarse.noise) / (ratio - 1);
+}
+
 // The p between 1 and `order` that comes nearest to putting the values on f0 + C h^p, by bisection: the quotient of
 // their differences grows with p. Values that do not approach anything are of order 1.
 double decay_order(const Sample& coarse, const Sample& middle, const Sample& fine, double order) {
@@ -49,16 +54,17 @@ Bounded extrapolate(std::vector<Sample> samples, std::optional<double> order) {
     return {fine.value, std::nullopt, std::nullopt};
 
   const Sample coarse = samples[samples.size() - 2];
+  const double value = richardson(coarse, fine, *order);
+  const double noise = noise_of_richardson(coarse, fine, *order);
   if (samples.size() == 2) {
-    const double value = richardson(coarse, fine, *order);
-    return {value, extrapolation_safety * std::abs(fine.value - value), order};
+    const double distance = std::abs(fine.value - richardson(coarse, fine, std::min(*order, unseen_order)));
+    return {value, extrapolation_safety * distance + noise, order};
   }
   const Sample coarsest = samples[samples.size() - 3];
-  const double value = richardson(coarse, fine, *order);
-  const double before = richardson(coarsest, coarse, *order);
+  const double moved = std::abs(value - richardson(coarsest, coarse, *order));
+  const double unexplained = std::max(0.0, moved - noise - noise_of_richardson(coarsest, coarse, *order));
   const double decay = std::pow(coarse.mesh_size / fine.mesh_size, decay_order(coarsest, coarse, fine, *order));
-  const double drift = std::abs(value - before) / (decay - 1);
-  return {value, std::max(drift, least_share * std::abs(fine.value - value)), order};
+  return {value, std::max(unexplained / (decay - 1), least_share * std::abs(fine.value - value)) + noise, order};
 }
 
 BoundedField extrapolate_field(std::span<const double> mesh_sizes, std::span<const std::vector<double>> fields,
@@ -76,7 +82,7 @@ BoundedField extrapolate_field(std::span<const double> mesh_sizes, std::span<con
   std::vector<Sample> samples(fields.size());
   for (std::size_t i = 0; i < size; ++i) {
     for (std::size_t mesh = 0; mesh < fields.size(); ++mesh)
-      samples[mesh] = {mesh_sizes[mesh], fields[mesh][i]};
+      samples[mesh] = {mesh_sizes[mesh], fields[mesh][i], 0};
     if (std::ranges::any_of(samples, [](const Sample& sample) { return std::isnan(sample.value); }))
       continue;
     const Bounded value = extrapolate(samples, order);

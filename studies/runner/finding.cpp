@@ -2,10 +2,12 @@
 
 #include "pfv/problem/text.hpp"
 #include "reference/answer.hpp"
+#include "studies/runner/own_error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace studies {
@@ -81,18 +83,31 @@ std::optional<double> pressure_drop(const Answers& answers) {
   return std::nullopt;
 }
 
-std::optional<Bounded> bounded_permeability(const std::vector<Row>& answered) {
-  std::vector<Sample> samples;
-  for (const Row& row : answered) {
-    if (!row.permeability)
-      return std::nullopt;
-    samples.push_back({row.mesh_size, *row.permeability});
-  }
-  return extrapolate(samples, answered.back().convergence_order);
-}
-
 bool has_answer(const Row& row) {
   return row.status == Status::answered;
+}
+
+std::optional<Bounded> bounded_permeability(const std::vector<Row>& rows, const Answers& answers) {
+  std::vector<Sample> samples;
+  std::optional<double> order;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!has_answer(rows[i]))
+      continue;
+    if (!rows[i].permeability)
+      return std::nullopt;
+    const double k = *rows[i].permeability;
+    samples.push_back({rows[i].mesh_size, k, answers[i] ? std::abs(k) * noise(*answers[i]) : 0});
+    order = rows[i].convergence_order;
+  }
+  return extrapolate(samples, order);
+}
+
+// Of the finest mesh, which has the bridges as they are meant to be.
+double bridge_error_of_finest(const std::vector<Row>& rows, const Answers& answers) {
+  for (std::size_t i = rows.size(); i-- > 0;)
+    if (has_answer(rows[i]))
+      return answers[i] ? bridge_error(*answers[i]) : 0;
+  return 0;
 }
 
 } // namespace
@@ -113,11 +128,13 @@ Finding find(std::vector<Row> rows, const std::filesystem::path& answers) {
   std::ranges::sort(rows, std::ranges::greater{}, &Row::mesh_size);
   const Answers read = read_answers(rows, answers);
   Finding finding{rows.front().case_id, rows.front().method, rows, {}};
-  std::vector<Row> answered;
-  std::ranges::copy_if(rows, std::back_inserter(answered), has_answer);
-  if (answered.empty())
+  if (std::ranges::none_of(rows, has_answer))
     return finding;
-  finding.permeability = bounded_permeability(answered);
+  finding.permeability = bounded_permeability(rows, read);
+  if (finding.permeability && finding.permeability->error) {
+    finding.bridge_error = bridge_error_of_finest(rows, read);
+    *finding.permeability->error += finding.bridge_error * std::abs(finding.permeability->value);
+  }
   finding.forces = bounded(rows, read, components);
   finding.pore_pressures = bounded(rows, read, pore_pressures);
   finding.throat_fluxes = bounded(rows, read, [](const reference::Answer& answer) { return answer.facet_fluxes; });

@@ -20,6 +20,7 @@ struct Finding {
   std::optional<BoundedField> pore_pressures = {}; // Pa, at the centres of PFV's pores
   std::optional<BoundedField> throat_fluxes = {};  // m^3/s, through PFV's throats
   std::optional<double> pressure_drop = {};        // Pa, over the box, for pressures to be compared with
+  double bridge_error = 0;                         // share of the permeability that its error has for bridges
 
   /// The finest run that answered, else the finest: size and cost are told of this one.
   const Row& told() const;
@@ -28,9 +29,10 @@ struct Finding {
   std::string trouble() const;
 };
 
-/// Extrapolates the answered runs of one case and method (rows in any order, at least one). Forces and samples come
-/// from the answers in `answers`, absent when a run's answer has none or is not there. A run whose answer cannot be
-/// read has failed.
+/// Extrapolates the answered runs of one case and method (rows in any order, at least one). Forces, samples and what
+/// an answer's counts say of its own error come from the answers in `answers`, absent when a run's answer has none or
+/// is not there. The permeability's error is that of the extrapolation, noise included, and of the bridges. A run whose
+/// answer cannot be read has failed.
 Finding find(std::vector<Row> rows, const std::filesystem::path& answers);
 
 /// Where the answer of a run is stored.

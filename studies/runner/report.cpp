@@ -1,6 +1,7 @@
 #include "studies/runner/report.hpp"
 
 #include "studies/runner/number_text.hpp"
+#include "studies/runner/own_error.hpp"
 #include "studies/runner/packing_picture.hpp"
 #include "studies/runner/provenance.hpp"
 #include "studies/runner/report_plots.hpp"
@@ -55,8 +56,10 @@ std::string value_sentence(const Finding& finding) {
   std::size_t answered = 0;
   for (const Row& row : finding.rows)
     answered += row.status == Status::answered ? 1 : 0;
-  if (k.error)
-    return text + fmt::format(", extrapolated from {} meshes with order {:.2g}", answered, *k.order);
+  if (k.error) {
+    text += fmt::format(", extrapolated from {} meshes with order {:.2g}", answered, *k.order);
+    return finding.bridge_error > 0 ? text + fmt::format(" (bridges: ± {})", percent(finding.bridge_error)) : text;
+  }
   return text + (finding.told().convergence_order ? ", from one mesh, so without an error bar" : ", without a mesh");
 }
 
@@ -85,15 +88,17 @@ List outcome_sentences(const Study& study, std::span<const Result> list) {
 
 void add_how_to_read(const Study& study, Document& page) {
   page.add(Paragraph{fmt::format(
-      "Permeability k: with two or more meshes the Richardson value at mesh size zero; its error is, with "
-      "three, what is left of the drift from the value of the coarser two if it falls as the values do, and at least "
-      "{} "
-      "of the distance from the finest mesh to it; with two {} times that distance. Differences are "
+      "Permeability k: with two or more meshes the Richardson value at mesh size zero. Its error is, with three, "
+      "what is left of the drift from the value of the coarser two, if it falls as the values do, and at least {} of "
+      "the "
+      "distance from the finest mesh to it; with two, {} times that distance, taken with order {} at most. Added to it "
+      "are what the noise of the values makes of it, {} of what the flux differs by between sections of the box, and, "
+      "where bridges stand for contacts, {} of the share of the fluid that they take. Differences are "
       "relative to the reference, {}; that of the forces is "
       "sqrt(sum |F - F_ref|² / sum |F_ref|²) over the spheres. *Unresolved* is a difference below the reference's own "
       "error. Two answers agree when permeability is within {}, forces within {}, or either within the error bars.",
-      least_share, extrapolation_safety, study.reference, percent(study.tolerance.permeability),
-      percent(study.tolerance.forces))});
+      least_share, extrapolation_safety, unseen_order, noise_share, bridge_share, study.reference,
+      percent(study.tolerance.permeability), percent(study.tolerance.forces))});
   page.add(Paragraph{
       "Dofs, CPU seconds and memory are those of the finest mesh, on one thread; memory is what the method itself adds "
       "to "

@@ -42,6 +42,7 @@ json written(const Result& result) {
               {"reference", result.comparison.reference},
               {"unknowns", row.unknowns},
               {"permeability_m2", written(finding.permeability)},
+              {"relative_bridge_error", finding.bridge_error},
               {"permeability_difference", written(result.comparison.permeability)},
               {"rms_force_difference", written(result.comparison.forces)},
               {"rms_pore_pressure_difference", written(result.comparison.pressures)},

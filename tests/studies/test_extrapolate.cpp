@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace {
@@ -16,11 +17,21 @@ Sample on_power_law(double h, double order) {
 }
 
 TEST(Extrapolate, TwoMeshesOfTheStatedOrderGiveTheExactValue) {
-  for (const double order : {1.0, 2.0, 3.0}) {
+  for (const double order : {1.0, 2.0, 3.5}) {
     const auto k = extrapolate({on_power_law(1.4, order), on_power_law(1.0, order)}, order);
     EXPECT_NEAR(k.value, 3, 1e-13);
-    EXPECT_NEAR(k.error.value(), 1.25 * 0.2, 1e-13); // 1.25 times the distance from the finest value
     EXPECT_EQ(k.order, order);
+    // 1.25 times the distance from the finest value to the one of this order, of 2 where it is higher.
+    const double fallen = 0.2 * (std::pow(1.4, order) - 1);
+    EXPECT_NEAR(k.error.value(), 1.25 * fallen / (std::pow(1.4, std::min(order, 2.0)) - 1), 1e-13);
+  }
+}
+
+// A method of order 3.5 on meshes too coarse for it.
+TEST(Extrapolate, TwoMeshesThatHaveNotReachedAHighOrderHaveABarForIt) {
+  for (const double order : {1.7, 2.0, 2.5, 3.0, 3.5, 4.0}) {
+    const auto k = extrapolate({on_power_law(2.0, order), on_power_law(1.4, order)}, 3.5);
+    EXPECT_LE(std::abs(k.value - 3), k.error.value()) << order;
   }
 }
 
@@ -73,6 +84,31 @@ TEST(Extrapolate, TheBarHoldsTheTruthThroughNoise) {
       const auto k = extrapolate(samples, 2);
       EXPECT_LE(std::abs(k.value - 3), k.error.value()) << mesh << ' ' << noise;
     }
+}
+
+Sample noisy(double h, double noise) {
+  return {h, on_power_law(h, 2).value, noise};
+}
+
+TEST(Extrapolate, TheBarHasRoomForTheNoiseOfTheValuesAtItsWorst) {
+  const double r = 1.4 * 1.4;
+  const double worst = (r * 0.01 + 0.03) / (r - 1); // the two values off in opposite directions
+  EXPECT_NEAR(*extrapolate({noisy(1.4, 0.03), noisy(1.0, 0.01)}, 2).error, 1.25 * 0.2 + worst, 1e-13);
+  const auto three = extrapolate({noisy(1.96, 0.1), noisy(1.4, 0.03), noisy(1.0, 0.01)}, 2);
+  EXPECT_NEAR(*three.error, 0.5 * 0.2 + worst, 1e-13);
+}
+
+TEST(Extrapolate, ScatterThatTheNoiseExplainsIsNotCountedAgain) {
+  const auto with_noise = [](double noise) {
+    std::vector<Sample> samples;
+    for (const double h : {2.0, 1.4, 1.0})
+      samples.push_back(noisy(h, noise));
+    samples[1].value += 0.02;
+    return *extrapolate(samples, 2).error;
+  };
+  const double n = (1.96 + 1) / (1.96 - 1) * 0.02;
+  EXPECT_NEAR(with_noise(0.02), 0.5 * (0.2 + 0.02 / 0.96) + n, 1e-12);
+  EXPECT_LT(with_noise(1e-6) - with_noise(0), 1e-5); // no jump where there is next to none
 }
 
 TEST(Extrapolate, ThreeMeshesThatDoNotConvergeHaveAWideBar) {
