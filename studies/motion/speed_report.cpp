@@ -72,7 +72,7 @@ Table coupled_table(const CoupledSpeed& one) {
   table.rows.push_back(
       {"ours", fmt::format("{:.3g}", one.step), per_second(one.ours), fmt::format("{:.4g}", one.settlement), ""});
   if (one.theirs)
-    table.rows.push_back({one.version, fmt::format("{:.3g}", one.step), per_second(*one.theirs),
+    table.rows.push_back({"YADE " + one.version, fmt::format("{:.3g}", one.step), per_second(*one.theirs),
                           fmt::format("{:.4g}", one.their_settlement), text_of(ratio(*one.theirs, one.ours))});
   else
     table.rows.push_back({"YADE", "", "unavailable", "", ""});
@@ -121,7 +121,8 @@ stiffness. That both do the same shows in the kinetic energy of translation afte
 steps less that of one without; neighbours are kept with a skin of a tenth of a radius.
 
 *Coupled*: the example of a consolidation that comes with YADE, in its units: a box of 1 m at 10 kPa under a piston, drained
-above, then 1 kPa more; explicit, with its settings of FlowEngine (meshes anew after 200 steps at most, factors kept).
+above, then 1 kPa more; explicit, with its settings of FlowEngine (meshes anew after 200 steps at most, factors kept). Its
+throats at walls conduct less and its piston has no mass, so that the two do not settle alike.
 
 *Schemes*: the layer of the study `consolidation` from the moment of its load, in a fluid so viscous that it alone would allow a tenth of the step that contacts do.
 )";

@@ -38,7 +38,7 @@ TEST(Uplift, LeavesTheFloorNearTheCriticalGradient) {
   bed.grains = 150;
   const Uplift test = lift_up(bed, silent);
   EXPECT_NEAR(test.critical, (1 - test.porosity) * 1.6, 1e-12);
-  EXPECT_NEAR(test.floor_left_at / test.critical, 1, 0.1);
+  EXPECT_NEAR(test.carried_at / test.critical, 1, 0.1);
   EXPECT_NEAR(test.risen_at / test.critical, 1, 0.1);
   for (const UpliftMoment& moment : test.moments)
     if (moment.rise < 0.01) {

@@ -5,7 +5,7 @@ set multiplot layout 1,2
 set border 3
 set tics nomirror
 set bmargin 6
-set key at graph 0.5, graph -0.26 center top maxrows 2 samplen 2
+set key at graph 0.5, graph -0.26 center top maxcols 2 samplen 2
 set xlabel "i / i_c"
 set arrow from 1, graph 0 to 1, graph 1 nohead dt 2 lc rgb "#888888"
 set ylabel "force / buoyant weight"
