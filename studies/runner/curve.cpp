@@ -100,7 +100,7 @@ Table table_of(const Study& study, std::span<const Result> results, const std::s
         cells[2] = fmt::format("{:.3f}", found->porosity);
       }
     }
-    if (!cells[1].empty())
+    if (std::ranges::any_of(cells.begin() + 3, cells.end(), [](const std::string& text) { return !text.empty(); }))
       table.rows.push_back(std::move(cells));
   }
   return table;
@@ -160,7 +160,7 @@ std::vector<Plot> curve_plots(const Study& study, std::span<const Result> result
   for (std::size_t m = 0; m < study.methods.size(); ++m) {
     const std::string& method = study.methods[m].name;
     const bool line = std::ranges::find(study.curve->lines, method) != study.curve->lines.end();
-    Series all{method, line ? Drawn::line : Drawn::points, static_cast<int>(m), {}};
+    Series all{method, line ? Drawn::line_with_points : Drawn::points, static_cast<int>(m), {}};
     Series relative = all;
     for (const CurvePoint& point : curve_points(study, results, curve, method)) {
       all.points.push_back({point.porosity, point.value, {}, line ? std::nullopt : point.error});

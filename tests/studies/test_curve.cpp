@@ -95,7 +95,7 @@ TEST(Curve, IsTwoTablesAndTwoPlots) {
   const auto plots = curve_plots(study, example_results(), "all");
   ASSERT_EQ(plots.size(), 2U);
   EXPECT_EQ(plots[0].y.scale, Scale::logarithmic);
-  EXPECT_EQ(plots[0].series[0].drawn, Drawn::line);
+  EXPECT_EQ(plots[0].series[0].drawn, Drawn::line_with_points);
   EXPECT_EQ(plots[0].series[1].drawn, Drawn::points);
 }
 
