@@ -25,6 +25,9 @@ inline constexpr const char* memory_count = "memory_bytes";
 inline constexpr const char* sampled_pores_count = "sampled_pores";
 inline constexpr const char* pressure_drop_count = "pressure_drop";
 
+/// The count of a method that judges a packing by its Sauter diameter (m).
+inline constexpr const char* sauter_diameter_count = "sauter_diameter";
+
 /// What a method says about a Case: the common currency of all comparisons. A quantity a method does not compute is
 /// absent, never zero. SI units.
 struct Answer {

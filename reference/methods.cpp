@@ -1,4 +1,5 @@
 #include "reference/closed_form/closed_form.hpp"
+#include "reference/correlations/correlation_method.hpp"
 #include "reference/exact/exact.hpp"
 #include "reference/lattice_boltzmann/lattice_boltzmann.hpp"
 #include "reference/method.hpp"
@@ -15,12 +16,15 @@ std::vector<std::unique_ptr<Method>> make_methods() {
   std::vector<std::unique_ptr<Method>> list;
   list.push_back(make_pore_volumes());
   list.push_back(make_pore_volumes_sor());
+  list.push_back(make_pore_volumes_mixed_area());
   list.push_back(make_yade());
   list.push_back(make_stokes_fem());
   list.push_back(make_openfoam());
   list.push_back(make_openfoam_snappy());
   list.push_back(make_lattice_boltzmann());
   list.push_back(make_closed_form());
+  for (auto& correlation : make_correlations())
+    list.push_back(std::move(correlation));
   list.push_back(make_exact());
   return list;
 }

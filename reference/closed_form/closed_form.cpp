@@ -98,6 +98,7 @@ Answer ClosedForm::solve(const pfv::Case& problem, const Request&, pfv::Clock& c
     answer.porosity = 1 - known.lattice.solid_fraction;
     answer.sphere_forces = forces(known);
     answer.counts["relative_error"] = known.drag.relative_error;
+    answer.counts[sauter_diameter_count] = diameter;
     answer.counts["drag_coefficient"] = known.drag.coefficient;
     answer.notes["lattice"] = fmt::format("{}, {} cells a side", name_of(known.lattice.lattice), known.lattice.cells);
   }

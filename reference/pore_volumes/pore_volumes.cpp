@@ -17,8 +17,9 @@ namespace {
 
 class PoreVolumes final : public Method {
 public:
-  PoreVolumes(std::string name, std::string description, pfv::SolverChoice solver)
-      : name_(std::move(name)), description_(std::move(description)), solver_(solver) {}
+  PoreVolumes(std::string name, std::string description, pfv::SolverChoice solver,
+              pfv::Conductance conductance = pfv::HydraulicRadius{})
+      : name_(std::move(name)), description_(std::move(description)), solver_(solver), conductance_(conductance) {}
 
   std::string name() const override { return name_; }
   std::string description() const override { return description_; }
@@ -47,6 +48,7 @@ public:
   Answer solve(const pfv::Case& problem, const Request& request, pfv::Clock& clock) const override {
     pfv::FlowOptions options;
     options.solver = solver_;
+    options.conductance = conductance_;
     const MemoryMeter memory;
     pfv::FollowedFlow followed(problem, options, clock);
     const pfv::SteadyFlow& flow = followed.flow();
@@ -71,8 +73,7 @@ public:
                      {"flat_pores", flow.network.flat_pores},
                      {"iterations", flow.solver.iterations},
                      {"flux_imbalance", flow.imbalance()}};
-    answer.notes = {
-        {"solver", flow.solver.name}, {"conductance", "hydraulic radius, alpha = 1/2"}, {"walls", "mirror"}};
+    answer.notes = {{"solver", flow.solver.name}, {"conductance", conductance_note()}, {"walls", "mirror"}};
     if (flow.system.held_pores > 0)
       answer.counts["held_pores"] = static_cast<double>(flow.system.held_pores);
     if (!request.probes.empty())
@@ -85,9 +86,15 @@ public:
   }
 
 private:
+  std::string conductance_note() const {
+    return std::visit([](const auto& rule) { return fmt::format("{}, alpha = {}", rule.name, rule.alpha); },
+                      conductance_);
+  }
+
   std::string name_;
   std::string description_;
   pfv::SolverChoice solver_;
+  pfv::Conductance conductance_;
 };
 
 } // namespace
@@ -100,6 +107,12 @@ std::unique_ptr<Method> make_pore_volumes_sor() {
   return std::make_unique<PoreVolumes>("pore_volumes_sor",
                                        "pore-scale finite volumes (PFV), over-relaxed Gauss-Seidel as in the paper",
                                        pfv::GaussSeidel{});
+}
+
+std::unique_ptr<Method> make_pore_volumes_mixed_area() {
+  return std::make_unique<PoreVolumes>("pore_volumes_mixed_area",
+                                       "pore-scale finite volumes (PFV), conductance rule mixed-area",
+                                       pfv::AutoSolver{}, pfv::MixedArea{});
 }
 
 } // namespace reference

@@ -12,4 +12,7 @@ std::unique_ptr<Method> make_pore_volumes();
 /// The same system solved by the over-relaxed Gauss-Seidel of Catalano et al. 2011: the historical row.
 std::unique_ptr<Method> make_pore_volumes_sor();
 
+/// The model with the conductance rule `mixed-area`.
+std::unique_ptr<Method> make_pore_volumes_mixed_area();
+
 } // namespace reference

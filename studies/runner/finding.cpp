@@ -75,11 +75,11 @@ std::optional<BoundedField> bounded(const std::vector<Row>& rows, const Answers&
   return extrapolate_field(mesh_sizes, fields, order);
 }
 
-std::optional<double> pressure_drop(const Answers& answers) {
+std::optional<double> count_in(const Answers& answers, const char* name) {
   for (const auto& answer : answers)
     if (answer)
-      if (const auto drop = answer->counts.find(reference::pressure_drop_count); drop != answer->counts.end())
-        return drop->second;
+      if (const auto found = answer->counts.find(name); found != answer->counts.end())
+        return found->second;
   return std::nullopt;
 }
 
@@ -138,7 +138,8 @@ Finding find(std::vector<Row> rows, const std::filesystem::path& answers) {
   finding.forces = bounded(rows, read, components);
   finding.pore_pressures = bounded(rows, read, pore_pressures);
   finding.throat_fluxes = bounded(rows, read, [](const reference::Answer& answer) { return answer.facet_fluxes; });
-  finding.pressure_drop = pressure_drop(read);
+  finding.pressure_drop = count_in(read, reference::pressure_drop_count);
+  finding.sauter_diameter = count_in(read, reference::sauter_diameter_count);
   return finding;
 }
 

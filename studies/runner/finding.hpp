@@ -19,6 +19,7 @@ struct Finding {
   std::optional<BoundedField> forces = {};         // N, x y z sphere by sphere
   std::optional<BoundedField> pore_pressures = {}; // Pa, at the centres of PFV's pores
   std::optional<BoundedField> throat_fluxes = {};  // m^3/s, through PFV's throats
+  std::optional<double> sauter_diameter = {};      // m, of the packing, where the method says it
   std::optional<double> pressure_drop = {};        // Pa, over the box, for pressures to be compared with
   double bridge_error = 0;                         // share of the permeability that its error has for bridges
 

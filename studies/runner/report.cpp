@@ -1,5 +1,6 @@
 #include "studies/runner/report.hpp"
 
+#include "studies/runner/curve.hpp"
 #include "studies/runner/number_text.hpp"
 #include "studies/runner/own_error.hpp"
 #include "studies/runner/packing_picture.hpp"
@@ -127,6 +128,24 @@ void add_scaling(const Study& study, std::span<const Result> list, Document& pag
   }
 }
 
+void add_curves(const Study& study, std::span<const Result> list, Document& page) {
+  const std::vector<TitledTable> tables = curve_tables(study, list);
+  if (tables.empty())
+    return;
+  page.add(Heading{"Permeability against porosity"});
+  page.add(Paragraph{
+      "Means over cases that differ by their seed only. d is the Sauter diameter, sum d³ / sum d². Bars: half of "
+      "what these cases span, with the mean error of the answers added. A correlation is missing where it "
+      "says that it does not hold."});
+  for (const std::string& curve : curve_names(study))
+    for (const Plot& plot : curve_plots(study, list, curve))
+      page.add(plot);
+  for (const auto& [title, table] : tables) {
+    page.add(Heading{title, 3});
+    page.add(table);
+  }
+}
+
 constexpr std::size_t long_list = 40; // more lines than this are folded
 
 } // namespace
@@ -142,14 +161,19 @@ Document report(const Study& study, const Scope& scope, std::span<const Row> row
     return page;
   }
   page.add(Paragraph{std::string(outcome_lead) + outcome(study, list)});
+  add_curves(study, list, page);
   page.add(Heading{"Results"});
-  for (const Plot& plot : permeability_plots(study, list))
-    page.add(plot);
+  if (!study.curve) // a line for each case would be longer than the curves
+    for (const Plot& plot : permeability_plots(study, list))
+      page.add(plot);
   if (Plot plot = error_plot(study, list); !plot.empty())
     page.add(plot);
   for (const Figure& figure : packing_figures(study, list))
     page.add(figure);
-  page.add(result_table(study, list));
+  if (Table table = result_table(study, list); study.curve && table.rows.size() > long_list)
+    page.add(Details{Heading{"All cases", 3}, {{std::move(table)}}});
+  else
+    page.add(std::move(table));
   add_how_to_read(study, page);
   add_scaling(study, list, page);
   const Heading says{"What the comparisons say"};

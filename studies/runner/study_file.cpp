@@ -95,6 +95,15 @@ Scaling read_scaling(const toml::table& table, const std::vector<std::string>& m
   return scaling;
 }
 
+Curve read_curve(const toml::table& table, const std::vector<std::string>& methods) {
+  pfv::allow_keys(table, "[curve]", {"lines", "compared_with"});
+  Curve curve;
+  if_present(table, "lines", [&](auto& node) { curve.lines = as_methods_of(node, "lines", methods); });
+  if_present(table, "compared_with",
+             [&](auto& node) { curve.compared_with = as_one_of(node, "compared_with", methods); });
+  return curve;
+}
+
 int as_ranks(const toml::node& node, const std::string& method) {
   const auto ranks = node.value_exact<std::int64_t>();
   if (!ranks || *ranks < 1 || *ranks > 1024)
@@ -133,8 +142,10 @@ std::string as_id(const toml::node& node) {
   return id;
 }
 
-// The keys of a question, copied from the study into a case file of its own. Its file names are relative to the study.
-std::string question_of(const toml::table& table, const std::filesystem::path& folder) {
+// The keys of a question, copied from the study into a case file of its own, with this seed if any. Its file names are
+// relative to the study.
+std::string question_of(const toml::table& table, const std::filesystem::path& folder,
+                        std::optional<std::int64_t> seed = std::nullopt) {
   toml::table question;
   for (const char* key : {"packing", "fluid", "flow", "faces", "buoyancy"})
     if (const toml::node* node = table.get(key))
@@ -142,6 +153,8 @@ std::string question_of(const toml::table& table, const std::filesystem::path& f
   if (auto* packing = question["packing"].as_table(); packing && packing->contains("file"))
     packing->insert_or_assign("file",
                               std::filesystem::absolute(folder / pfv::as_text(*packing->get("file"), "file")).string());
+  if (auto* packing = question["packing"].as_table(); packing && seed)
+    packing->insert_or_assign("seed", *seed);
   std::ostringstream text;
   text << question << '\n';
   return text.str();
@@ -151,7 +164,8 @@ StudyCase read_study_case(const toml::node& node, const std::filesystem::path& f
                           const std::vector<std::string>& all_methods) {
   const toml::table& table = pfv::as_table(node, "case");
   pfv::allow_keys(table, "[[case]]",
-                  {"id", "label", "methods", "quick", "published", "packing", "fluid", "flow", "faces", "buoyancy"});
+                  {"id", "label", "methods", "quick", "published", "curve", "seeds", "packing", "fluid", "flow",
+                   "faces", "buoyancy"});
   StudyCase one;
   one.id = as_id(pfv::required(table, "[[case]]", "id"));
   one.label = one.id;
@@ -169,9 +183,29 @@ StudyCase read_study_case(const toml::node& node, const std::filesystem::path& f
     for (const toml::node& figure : as_list(list, "published"))
       one.published.push_back(read_published(figure, all_methods));
   });
+  if_present(table, "curve", [&](auto& curve) { one.curve = pfv::as_text(curve, "curve"); });
   pfv::required(table, "[[case]]", "packing");
   one.toml = question_of(table, folder);
   return one;
+}
+
+// A case with seeds is as many cases, of one label.
+std::vector<StudyCase> read_study_cases(const toml::node& node, const std::filesystem::path& folder,
+                                        const std::vector<std::string>& all_methods) {
+  const StudyCase one = read_study_case(node, folder, all_methods);
+  const toml::table& table = *node.as_table();
+  std::vector<StudyCase> cases;
+  if_present(table, "seeds", [&](auto& list) {
+    for (const toml::node& entry : as_list(list, "seeds")) {
+      const auto seed = entry.template value_exact<std::int64_t>();
+      if (!seed || *seed < 0)
+        fail_at(entry, fmt::format("seeds \"{}\" must be whole numbers, 0 or more", pfv::quote(entry)));
+      cases.push_back(one);
+      cases.back().id += fmt::format("_{}", *seed);
+      cases.back().toml = question_of(table, folder, seed);
+    }
+  });
+  return cases.empty() ? std::vector{one} : cases;
 }
 
 template <class List>
@@ -190,7 +224,7 @@ Study read_study(const std::filesystem::path& file) {
   const toml::table root = pfv::read_toml(file);
   pfv::allow_keys(root, "a study",
                   {"title", "question", "reference", "published_source", "tolerance", "budget", "samples", "scaling",
-                   "method", "case"});
+                   "curve", "method", "case"});
   Study study;
   study.folder = std::filesystem::absolute(file).parent_path();
   study.name = study.folder.filename().string();
@@ -220,9 +254,12 @@ Study read_study(const std::filesystem::path& file) {
 
   if_present(root, "scaling", [&](auto& node) { study.scaling = read_scaling(pfv::as_table(node, "scaling"), names); });
 
+  if_present(root, "curve", [&](auto& node) { study.curve = read_curve(pfv::as_table(node, "curve"), names); });
+
   const toml::node& cases = pfv::required(root, "the study", "case");
   for (const toml::node& node : as_list(cases, "case"))
-    study.cases.push_back(read_study_case(node, file.parent_path(), names));
+    for (StudyCase& one : read_study_cases(node, file.parent_path(), names))
+      study.cases.push_back(std::move(one));
   refuse_twice(cases, study.cases, &StudyCase::id, "case id");
   return study;
 }

@@ -35,6 +35,7 @@ struct StudyCase {
   std::vector<std::string> methods;       // of the study's, which to ask
   std::vector<std::string> quick_methods; // of those, which to ask in the quick plan
   std::vector<PublishedFigure> published;
+  std::string curve = {}; // on which curve it is a point, see Curve; empty: on none
 };
 
 struct StudyMethod {
@@ -52,6 +53,14 @@ struct Scaling {
   bool operator==(const Scaling&) const = default;
 };
 
+/// Asks for permeability against porosity: one table, and plots, for each name that cases give as their curve.
+struct Curve {
+  std::vector<std::string> lines; // methods drawn as lines, as formulas are
+  std::string compared_with;      // method over whose permeability that of all is drawn too; empty: none
+
+  bool operator==(const Curve&) const = default;
+};
+
 /// One question, asked of several methods on several cases.
 struct Study {
   std::string name;             // of its folder
@@ -64,6 +73,7 @@ struct Study {
   Budget budget;
   bool samples = false; // whether methods give pressures at PFV's pores and along lines, and fluxes through its throats
   std::optional<Scaling> scaling;
+  std::optional<Curve> curve = {};
   std::vector<StudyMethod> methods; // in the order of the tables
   std::vector<StudyCase> cases;
 };

@@ -57,7 +57,7 @@ TEST(Index, HasALineForEveryStudy) {
   EXPECT_EQ(output.exit_code, 0) << output.err;
   EXPECT_EQ(output.out, "Index: " + (folder.path() / "index.html").string() + "\n");
   const std::string page = pfv::read_text(folder.path() / "index.html");
-  for (const char* name : {"agreement", "consolidation", "effects", "lattices", "scaling", "table1"})
+  for (const char* name : {"agreement", "consolidation", "effects", "lattices", "permeability", "scaling", "table1"})
     EXPECT_NE(page.find(name), std::string::npos) << name;
 }
 

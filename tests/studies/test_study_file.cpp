@@ -74,6 +74,29 @@ TEST(StudyFile, ReadsWhatScalingAsksFor) {
             (studies::Scaling{"exact", "solve"}));
 }
 
+TEST(StudyFile, ReadsWhatACurveAsksFor) {
+  const TemporaryFolder folder;
+  const auto with = [&](const std::string& section) {
+    return read_study(folder.write("study.toml", replaced(study_text, "[[method]]", section + "\n[[method]]"))).curve;
+  };
+  EXPECT_FALSE(with(""));
+  EXPECT_EQ(*with("[curve]\nlines = [\"exact\"]\ncompared_with = \"exact\""), (studies::Curve{{"exact"}, "exact"}));
+}
+
+TEST(StudyFile, ACaseWithSeedsIsAsManyOfOneLabel) {
+  const TemporaryFolder folder;
+  const auto study = read_study(
+      folder.write("study.toml", replaced(study_text, "quick = true", "curve = \"c\"\nquick = true\nseeds = [7, 8]")));
+  ASSERT_EQ(study.cases.size(), 3U);
+  EXPECT_EQ(study.cases[0].id, "one_7");
+  EXPECT_EQ(study.cases[1].id, "one_8");
+  EXPECT_EQ(study.cases[1].label, "one");
+  EXPECT_EQ(study.cases[1].curve, "c");
+  EXPECT_EQ(study.cases[1].quick_methods, study.cases[0].quick_methods);
+  EXPECT_NE(study.cases[0].toml.find("seed = 7"), std::string::npos) << study.cases[0].toml;
+  EXPECT_NE(study.cases[1].toml.find("seed = 8"), std::string::npos) << study.cases[1].toml;
+}
+
 TEST(StudyFile, RefusesUnknownKeysNamingTheValidOnes) {
   expect_refused("title =", "titel = 1\ntitle =", {"study.toml:2", "titel", "title", "question"});
   expect_refused("mesh_sizes = [2", "mesh_size = 1\nmesh_sizes = [2", {"mesh_size", "quick_mesh_sizes"});
@@ -81,6 +104,7 @@ TEST(StudyFile, RefusesUnknownKeysNamingTheValidOnes) {
   expect_refused("[[method]]", "[budget]\nseconds = 1\n[[method]]", {"seconds", "cpu_seconds", "memory_bytes"});
   expect_refused("[[method]]", "[tolerance]\nforce = 1\n[[method]]", {"force", "permeability, forces, pressures"});
   expect_refused("[[method]]", "[scaling]\nunit = 1\n[[method]]", {"unit", "compared_with", "unit_stage"});
+  expect_refused("[[method]]", "[curve]\nline = 1\n[[method]]", {"line", "lines, compared_with"});
   expect_refused("quick = true", "published = [{ dofs = 1 }]", {"dofs", "unknowns"});
 }
 
@@ -93,6 +117,8 @@ TEST(StudyFile, RefusesUnknownNamesNamingTheValidOnes) {
 }
 
 TEST(StudyFile, RefusesBadValues) {
+  expect_refused("quick = true", "seeds = [0.5]", {"seeds", "0.5", "whole"});
+  expect_refused("quick = true", "seeds = [-1]", {"seeds", "-1", "0 or more"});
   expect_refused("[2.0, 1.0]", "[1.0, 2.0]", {"mesh_sizes", "coarse to fine"});
   expect_refused("[2.0, 1.0]", "[1.0, 1.0]", {"coarse to fine"});
   expect_refused("[2.0, 1.0]", "[0]", {"larger than zero"});
