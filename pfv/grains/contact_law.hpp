@@ -53,8 +53,8 @@ struct ConstantSprings {
   bool operator==(const ConstantSprings&) const = default;
 };
 
-/// Elastic spheres: Hertz (1882), and Mindlin (1949) for the tangential stiffness. Same material on both sides. The shear
-/// force grows by that stiffness times the sliding and is kept while the overlap changes (LAMMPS calls this
+/// Elastic spheres: Hertz (1882), and Mindlin (1949) for the tangential stiffness. Same material on both sides. The
+/// shear force grows by that stiffness times the sliding and is kept while the overlap changes (LAMMPS calls this
 /// mindlin/force), so that a normal load that swings is reversible; a contact that is sheared pressed and then opened
 /// gives back more than it took. Measured: 0.6 % of the work of all loads in a shaken packing.
 struct HertzMindlin {

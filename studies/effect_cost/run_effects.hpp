@@ -19,8 +19,8 @@ using Tell = std::function<void(const std::string& line)>;
 /// Throws pfv::InputError on a bad scene, pfv::SolveError when the preparation fails.
 std::vector<Row> run_effects(const EffectStudy& study, const RunSettings& settings, const Tell& tell);
 
-/// The stored rows of the plan, by effect and repeat, of the sources it was run with last; those of other scenes are left
-/// out.
+/// The stored rows of the plan, by effect and repeat, of the sources it was run with last; those of other scenes are
+/// left out.
 std::vector<Row> stored_effects(const EffectStudy& study, const WorkFolder& work);
 
 } // namespace studies

@@ -11,7 +11,8 @@ namespace studies {
 
 namespace {
 
-constexpr std::array colours{"#2f7fc1", "#d9822b", "#2a9d62", "#c94f5c", "#8e6bbf", "#1a9aa5", "#a0763e", "#c45ba3", "#7d8a2e"};
+constexpr std::array colours{"#2f7fc1", "#d9822b", "#2a9d62", "#c94f5c", "#8e6bbf",
+                             "#1a9aa5", "#a0763e", "#c45ba3", "#7d8a2e"};
 constexpr std::array marks{7, 5, 9, 11, 13, 6, 4, 8, 10}; // gnuplot's: disk, square, triangles, diamond, open ones
 constexpr int legend_columns = 3;
 constexpr const char* grey = "#808080";
