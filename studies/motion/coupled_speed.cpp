@@ -9,9 +9,9 @@
 #include "reference/yade/program.hpp"
 #include "studies/runner/files.hpp"
 
+#include <array>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 namespace studies {
 
@@ -84,32 +84,33 @@ double advance(Simulation& simulation, std::size_t steps) {
   return (process_cpu_seconds() - start) / static_cast<double>(steps);
 }
 
-/// Along y is what is along z here.
-Packing turned(Packing packing) {
-  const auto turn = [](Vec3& point) { std::swap(point.y(), point.z()); };
-  turn(packing.box.lower);
-  turn(packing.box.upper);
-  for (Sphere& sphere : packing.spheres)
-    turn(sphere.centre);
-  return packing;
+/// What is along z here is along y there.
+std::array<double, 3> turned(const Vec3& point) {
+  return {point.x(), point.z(), point.y()};
 }
 
 void their_turn(const Example& example, const Packing& packing, CoupledSpeed& speed) {
   const reference::TemporaryFolder folder("yade");
-  std::ostringstream text;
-  write_packing(turned(packing), text);
-  write_file(folder.path() / "packing.txt", text.str());
-  write_file(folder.path() / "question.json", nlohmann::json{{"young", example.young},
-                                                             {"tangential_ratio", example.tangential_ratio},
-                                                             {"friction", example.friction},
-                                                             {"density", example.density},
-                                                             {"stress", example.stress},
-                                                             {"load", example.load},
-                                                             {"viscosity", example.viscosity},
-                                                             {"step", example.step},
-                                                             {"steps", speed.steps},
-                                                             {"steps_at_rest", 2000}}
-                                                  .dump());
+  nlohmann::json spheres = nlohmann::json::array();
+  for (const Sphere& sphere : packing.spheres) {
+    const auto [x, y, z] = turned(sphere.centre);
+    spheres.push_back({x, y, z, sphere.radius});
+  }
+  const auto lower = turned(packing.box.lower), upper = turned(packing.box.upper);
+  write_file(folder.path() / "question.json",
+             nlohmann::json{{"box", {lower[0], lower[1], lower[2], upper[0], upper[1], upper[2]}},
+                            {"spheres", spheres},
+                            {"young", example.young},
+                            {"tangential_ratio", example.tangential_ratio},
+                            {"friction", example.friction},
+                            {"density", example.density},
+                            {"stress", example.stress},
+                            {"load", example.load},
+                            {"viscosity", example.viscosity},
+                            {"step", example.step},
+                            {"steps", speed.steps},
+                            {"steps_at_rest", 2000}}
+                 .dump());
   write_file(folder.path() / "oedometer.py", yade_oedometer_py);
   reference::yade::run_script(folder.path(), "oedometer.py", wall_limit);
   const auto reply = nlohmann::json::parse(read_text(folder.path() / "reply.json"));

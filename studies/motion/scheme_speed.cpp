@@ -11,11 +11,6 @@ using namespace pfv;
 
 constexpr double ratio = 0.1; // of the explicit step that the fluid allows to the one that contacts do
 
-/// One scheme over the whole duration.
-struct Course {
-  double step = 0, cpu_seconds = 0, settlement = 0;
-};
-
 Course course(const Scene& scene, const GrainCycle& start, double duration, const Say& say) {
   Simulation simulation(scene, start);
   const auto height = [&] { return simulation.grains().grains.packing.box.size().z(); };
@@ -41,18 +36,9 @@ SchemeSpeed scheme_speed(int grains, double duration, const Say& say) {
   const StepLimits limits = Simulation(scene, start).limits();
   scene.fluid->fluid.viscosity = *limits.viscous / StepLimits{limits.contact}.chosen() / ratio;
 
-  SchemeSpeed speed;
-  speed.grains = grains;
-  speed.duration = duration;
-  const Course lagging = course(scene, start, duration, say);
+  SchemeSpeed speed{grains, duration, course(scene, start, duration, say), {}};
   scene.scheme = SemiImplicit{};
-  const Course implicit = course(scene, start, duration, say);
-  speed.step = lagging.step;
-  speed.cpu_seconds = lagging.cpu_seconds;
-  speed.settlement = lagging.settlement;
-  speed.implicit_step = implicit.step;
-  speed.implicit_cpu_seconds = implicit.cpu_seconds;
-  speed.implicit_settlement = implicit.settlement;
+  speed.implicit = course(scene, start, duration, say);
   return speed;
 }
 

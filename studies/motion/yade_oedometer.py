@@ -1,5 +1,5 @@
-# Run by `yade -x -n -j1`: steps of an oedometer under water, from question.json and packing.txt in this folder to
-# reply.json. The piston is the face y_max, drained; all others are closed and smooth. CPU seconds are of this process.
+# Run by `yade -x -n -j1`: steps of an oedometer under water, from question.json in this folder to reply.json. The piston
+# is the face y_max, drained; all others are closed and smooth. CPU seconds are of this process.
 import json
 import math
 import os
@@ -8,21 +8,10 @@ import time
 from yade import FlowEngine, config
 
 
-def read_packing():
-    box, spheres = None, []
-    with open("packing.txt") as packing:
-        for line in packing:
-            if line.startswith("# box"):
-                box = [float(word) for word in line.split()[2:]]
-            elif line.strip() and not line.startswith("#"):
-                spheres.append([float(word) for word in line.split()])
-    return box, spheres
-
-
 def main():
     with open("question.json") as file:
         question = json.load(file)
-    box, spheres = read_packing()
+    box, spheres = question["box"], question["spheres"]
     friction = math.atan(question["friction"])
     O.materials.append(FrictMat(young=question["young"], poisson=question["tangential_ratio"], frictionAngle=friction,
                                 density=question["density"], label="grains"))

@@ -2,6 +2,7 @@
 #include "studies/document/inline_html.hpp"
 #include "studies/document/markdown.hpp"
 #include "tests/studies/example_document.hpp"
+#include "tests/studies/times.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,13 +10,6 @@
 
 namespace studies {
 namespace {
-
-std::size_t times(const std::string& text, const std::string& what) {
-  std::size_t count = 0;
-  for (auto at = text.find(what); at != text.npos; at = text.find(what, at + 1))
-    ++count;
-  return count;
-}
 
 // Without style and script.
 std::string body(const std::string& html) {

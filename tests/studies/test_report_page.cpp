@@ -11,6 +11,7 @@
 #include "tests/studies/example_row.hpp"
 #include "tests/studies/study_text.hpp"
 #include "tests/studies/temporary_folder.hpp"
+#include "tests/studies/times.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,13 +21,6 @@
 
 namespace studies {
 namespace {
-
-std::size_t times(const std::string& text, const std::string& what) {
-  std::size_t count = 0;
-  for (auto at = text.find(what); at != text.npos; at = text.find(what, at + 1))
-    ++count;
-  return count;
-}
 
 Study example_study() {
   const TemporaryFolder folder;

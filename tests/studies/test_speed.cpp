@@ -40,8 +40,8 @@ TEST(Speed, IsReportedWithoutPeersToo) {
   speed.coupled.ours = speed.coupled.at_our_step = Turns{{1e-2}};
   speed.coupled.steps = 4;
   speed.coupled.counts = {1, 0, 8, 4};
-  speed.scheme.cpu_seconds = 12;
-  speed.scheme.implicit_cpu_seconds = 2;
+  speed.scheme.lagging.cpu_seconds = 12;
+  speed.scheme.implicit.cpu_seconds = 2;
   const ExperimentReport report = speed_report(speed);
   EXPECT_TRUE(report.holds);
   const std::string text = to_markdown(report.page);
