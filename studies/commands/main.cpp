@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
   add_compare(app, invocation);
   add_report(app);
   add_index(app);
+  add_samples(app);
   add_answer(app, invocation);
   add_steps(app, invocation);
   try {
