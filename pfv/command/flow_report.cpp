@@ -1,6 +1,7 @@
 #include "pfv/command/flow_report.hpp"
 
 #include "pfv/flow/choice.hpp"
+#include "pfv/flow/permeability_error.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -48,6 +49,10 @@ std::string text_report(const Case& problem, const FlowOptions& options, const S
   line("porosity", fmt::format("{:.6g}", flow.network.porosity()));
   if (flow.permeability)
     line("permeability", fmt::format("{:.6e} m^2", *flow.permeability));
+  if (const auto error = permeability_error(options, problem.packing, flow.network.porosity());
+      error && flow.permeability)
+    line("its error", error->relative ? fmt::format("{:.2g} %, larger for one packing in ten", 100 * *error->relative)
+                                      : "not known: " + error->outside);
   line("flux in", fmt::format("{:.6e} m^3/s", flow.flux_in));
   line("flux out", fmt::format("{:.6e} m^3/s (imbalance {:.1e})", flow.flux_out, flow.imbalance()));
   for (const Face face : all_faces)
@@ -78,6 +83,13 @@ std::string json_report(const Case& problem, const FlowOptions& options, const S
   json["unknowns"] = flow.system.unknowns();
   json["porosity"] = flow.network.porosity();
   json["permeability"] = flow.permeability ? nlohmann::ordered_json(*flow.permeability) : nullptr;
+  if (const auto error = permeability_error(options, problem.packing, flow.network.porosity());
+      error && flow.permeability) {
+    json["permeability_error"] =
+        error->relative ? nlohmann::ordered_json(*error->relative * *flow.permeability) : nullptr;
+    if (!error->outside.empty())
+      json["outside_of_fit"] = error->outside;
+  }
   json["flux_in"] = flow.flux_in;
   json["flux_out"] = flow.flux_out;
   json["flux_imbalance"] = flow.imbalance();

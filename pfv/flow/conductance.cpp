@@ -19,27 +19,34 @@ double round_tube(double fluid_area, double length, double viscosity) {
 /// What the rule says, and less than zero where it says nothing: minus that of a round tube when only the section is
 /// sound, minus infinity when that is not either. By selects rather than branches, so that a loop over it vectorises.
 template <typename Rule>
-double conductance(const Rule& rule, double fluid_area, double void_volume, double wetted_surface, double length,
-                   double viscosity, double smallest_area) {
-  const double open = rule(fluid_area, void_volume, wetted_surface, length, viscosity);
-  const double tube = -round_tube(fluid_area, length, viscosity);
-  const double largest = std::max(std::abs(fluid_area), wetted_surface);
-  double value = std::min(void_volume, wetted_surface) > 0 ? open : tube;
-  value = fluid_area > 0 ? value : -infinite;
-  value = length > 0 ? value : infinite;
+double conductance(const Rule& rule, const ThroatShape& throat, double viscosity, double smallest_area) {
+  const double open = rule(throat, viscosity);
+  const double tube = -round_tube(throat.fluid_area, throat.length, viscosity);
+  const double largest = std::max(std::abs(throat.fluid_area), throat.wetted_surface);
+  double value = std::min(throat.void_volume, throat.wetted_surface) > 0 ? open : tube;
+  value = throat.fluid_area > 0 ? value : -infinite;
+  value = throat.length > 0 ? value : infinite;
   return largest > smallest_area ? value : 0;
+}
+
+/// A throat with its wetted surface summed by the caller.
+template <typename Rule>
+ThroatShape shape(const PoreNetwork::Throats& throats, std::size_t t, double wetted_surface) {
+  ThroatShape throat{throats.fluid_area[t], throats.void_volume[t], wetted_surface, throats.length[t]};
+  if constexpr (Rule::reads_openings) {
+    throat.openness = throat.fluid_area / throats.area[t];
+    throat.gap = throats.gap[t];
+  }
+  return throat;
 }
 
 template <typename Rule>
 void fill_interior(const Rule& rule, const PoreNetwork::Throats& throats, double viscosity, double smallest_area,
                    double* __restrict__ values) {
-  const double* __restrict__ fluid_area = throats.fluid_area.data();
-  const double* __restrict__ void_volume = throats.void_volume.data();
-  const double* __restrict__ length = throats.length.data();
-  const std::array<double, 3>* __restrict__ wetted = throats.wetted_surface.data();
-  for (std::size_t t = 0; t < throats.interior; ++t)
-    values[t] = conductance(rule, fluid_area[t], void_volume[t], wetted[t][0] + wetted[t][1] + wetted[t][2], length[t],
-                            viscosity, smallest_area);
+  for (std::size_t t = 0; t < throats.interior; ++t) {
+    const auto& wetted = throats.wetted_surface[t];
+    values[t] = conductance(rule, shape<Rule>(throats, t, wetted[0] + wetted[1] + wetted[2]), viscosity, smallest_area);
+  }
 }
 
 template <typename Rule, typename Walls>
@@ -55,8 +62,7 @@ void fill_at_walls(const Rule& rule, const Walls& walls, const PoreNetwork& netw
       wetted += (wall ? walls.surface : 1) * throats.wetted_surface[t][c];
       cut_by += wall;
     }
-    const double value = conductance(rule, throats.fluid_area[t], throats.void_volume[t], wetted, throats.length[t],
-                                     viscosity, smallest_area);
+    const double value = conductance(rule, shape<Rule>(throats, t, wetted), viscosity, smallest_area);
     values[t] = value > 0 ? walls.factor[cut_by] * value : value;
   }
 }

@@ -19,7 +19,8 @@ struct Conductances {
   std::vector<double> sorted_part; // room for the median, kept from one update to the next
 };
 
-/// Conductance of every throat of a fluid of this viscosity (Pa s).
+/// Conductance of every throat of a fluid of this viscosity (Pa s). The network must have openings when the rule reads
+/// them.
 Conductances conductances(const PoreNetwork& network, const Conductance& rule, const WallRule& walls, double viscosity);
 
 /// The same in place: nothing is allocated when the network has as many throats as before.

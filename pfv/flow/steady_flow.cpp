@@ -84,7 +84,8 @@ FollowedFlow::FollowedFlow(const Case& problem, const FlowOptions& options, Cloc
   prefer_huge_pages(bytes_per_sphere * problem.packing.spheres.size());
   question_.packing.spheres.clear();
   question_.packing.spheres.shrink_to_fit();
-  flow_.network = build_pore_network(problem.packing, periodic_axes(problem.faces), clock);
+  flow_.network =
+      build_pore_network(problem.packing, periodic_axes(problem.faces), clock, reads_openings(options.conductance));
   Conductances throats;
   {
     const auto timing = clock.stage("conductances");

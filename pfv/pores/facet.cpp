@@ -2,6 +2,8 @@
 
 #include "pfv/pores/wall_distance.hpp"
 
+#include <algorithm>
+
 namespace pfv {
 namespace {
 
@@ -50,6 +52,25 @@ Facet make_facet(const Box& box, std::span<const Sphere> spheres, const std::arr
     if (!is_wall(corner.vertex))
       facet.normal = corner.to_next.cross(corner.to_previous).normalized();
   return facet;
+}
+
+double smallest_gap(const Box& box, std::span<const Sphere> spheres, const std::array<Vertex, 3>& vertices) {
+  double smallest = 1;
+  for (int c = 0; c < 3; ++c) {
+    const Vertex one = vertices[c], other = vertices[(c + 1) % 3];
+    if (is_wall(one) && is_wall(other))
+      continue;
+    const Sphere& sphere = spheres[is_wall(one) ? other : one];
+    double apart, radii = sphere.radius;
+    if (is_wall(one) || is_wall(other)) {
+      apart = wall_distance(box, face_of(is_wall(one) ? one : other), sphere.centre);
+    } else {
+      apart = (spheres[other].centre - sphere.centre).norm();
+      radii += spheres[other].radius;
+    }
+    smallest = std::min(smallest, apart > radii ? 1 - radii / apart : 0);
+  }
+  return smallest;
 }
 
 } // namespace pfv

@@ -28,4 +28,9 @@ struct Facet {
 /// The facet of these vertices, at least one of them a sphere.
 Facet make_facet(const Box& box, std::span<const Sphere> spheres, const std::array<Vertex, 3>& vertices);
 
+/// The smallest gap between two of these spheres over the distance of their centres, and between one and a wall over
+/// the distance of its centre from the wall, as between it and its mirror image. From 0, where two touch or overlap,
+/// to 1.
+double smallest_gap(const Box& box, std::span<const Sphere> spheres, const std::array<Vertex, 3>& vertices);
+
 } // namespace pfv

@@ -73,7 +73,24 @@ PFV_VECTORISED void measure_fluid(FacetBlock& block) {
     block.fluid_area[t] = block.area[t] - (block.sector[0][t] + block.sector[1][t] + block.sector[2][t]);
 }
 
+PFV_VECTORISED void measure_smallest_gaps(FacetBlock& block) {
+  for (int t = 0; t < FacetBlock::width; ++t) {
+    double smallest = 1;
+    for (int c = 0; c < 3; ++c) {
+      const auto &one = block.corners[c], &other = block.corners[(c + 1) % 3];
+      const double apart = norm(at(other, t) - at(one, t));
+      const double gap = 1 - (one.radius[t] + other.radius[t]) / (apart > 0 ? apart : 1);
+      smallest = gap < smallest ? gap : smallest;
+    }
+    block.gap[t] = smallest > 0 ? smallest : 0;
+  }
+}
+
 } // namespace
+
+void FacetBlock::measure_gaps() {
+  measure_smallest_gaps(*this);
+}
 
 void FacetBlock::measure() {
   int overlaps = 0, reaches = 0;

@@ -18,10 +18,12 @@ struct FacetBlock {
   Lane area;                  // m^2, S
   std::array<Lane, 3> sector; // m^2, A_k: of each corner's disc, inside the facet and not in another's disc
   Lane fluid_area;            // m^2, S_f = S - sum A_k
+  Lane gap;                   // see smallest_gap
   bool overlapping = false;   // some spheres of the block overlap
 
-  /// From the corners, everything else. Lanes beyond those in use must hold something finite.
+  /// From the corners, everything else but gaps. Lanes beyond those in use must hold something finite.
   void measure();
+  void measure_gaps();
 };
 
 } // namespace pfv

@@ -102,7 +102,7 @@ double PoreNetwork::porosity() const {
   return std::accumulate(pores.void_volume.begin(), pores.void_volume.end(), 0.0) / box.volume();
 }
 
-PoreNetwork build_pore_network(const Packing& packing, const PeriodicAxes& periodic, Clock& clock) {
+PoreNetwork build_pore_network(const Packing& packing, const PeriodicAxes& periodic, Clock& clock, bool openings) {
   Triangulation cells;
   {
     const auto timing = clock.stage("triangulate");
@@ -110,6 +110,10 @@ PoreNetwork build_pore_network(const Packing& packing, const PeriodicAxes& perio
   }
   const auto timing = clock.stage("geometry");
   PoreNetwork network = topology(packing, periodic, std::move(cells));
+  if (openings) {
+    network.throats.area.resize(network.throats.size());
+    network.throats.gap.resize(network.throats.size());
+  }
   mark_cut_sites(network);
   set_pore_centres(network);
   measure(network);

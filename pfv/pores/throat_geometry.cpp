@@ -1,6 +1,7 @@
 #include "pfv/pores/throat_geometry.hpp"
 
 #include "pfv/pores/bipyramid_block.hpp"
+#include "pfv/pores/facet.hpp"
 #include "pfv/pores/throat_planes.hpp"
 
 #include <algorithm>
@@ -35,12 +36,19 @@ public:
         else
           store(first + t, measures(facets, bipyramids, t));
       }
+      if (!network_.throats.gap.empty()) {
+        facets.measure_gaps();
+        std::copy_n(facets.gap.begin(), count, network_.throats.gap.begin() + static_cast<std::ptrdiff_t>(first));
+      }
     }
   }
 
   void wall_throats() {
-    for (std::size_t t = network_.throats.interior; t < network_.throats.size(); ++t)
+    for (std::size_t t = network_.throats.interior; t < network_.throats.size(); ++t) {
       one_by_one(t);
+      if (!network_.throats.gap.empty())
+        network_.throats.gap[t] = smallest_gap(network_.walls, network_.sites.spheres, network_.corners(t));
+    }
   }
 
   /// A closed surface has no net area vector, so what a pore's facets leave open lies on its walls.
@@ -91,6 +99,8 @@ private:
     throats.length[t] = measures.length;
     throats.void_volume[t] = measures.behind.void_volume + measures.ahead.void_volume;
     throats.wetted_surface[t] = measures.wetted;
+    if (!throats.area.empty())
+      throats.area[t] = measures.plane.area;
     const auto corners = network_.corners(t);
     for (int c = 0; c < 3; ++c)
       if (const Vertex v = corners[c]; !is_wall(v)) {

@@ -48,7 +48,7 @@ void PoreFluid::build(const Packing& packing, Clock& clock) {
   if (periodic != PeriodicAxes{})
     for (const Sphere& sphere : packing.spheres)
       into_box_.push_back(offset_into_box(packing.box, periodic, sphere.centre));
-  network_ = build_pore_network(in_box(packing), periodic, clock);
+  network_ = build_pore_network(in_box(packing), periodic, clock, reads_openings(scene_.options.conductance));
   {
     const auto timing = clock.stage("conductances");
     throats_ = conductances(network_, scene_.options.conductance, scene_.options.walls, scene_.fluid.viscosity);

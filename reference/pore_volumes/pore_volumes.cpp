@@ -115,4 +115,10 @@ std::unique_ptr<Method> make_pore_volumes_mixed_area() {
                                        pfv::AutoSolver{}, pfv::MixedArea{});
 }
 
+std::unique_ptr<Method> make_pore_volumes_calibrated() {
+  return std::make_unique<PoreVolumes>("pore_volumes_calibrated",
+                                       "pore-scale finite volumes (PFV), conductance rule calibrated",
+                                       pfv::AutoSolver{}, pfv::Calibrated{});
+}
+
 } // namespace reference

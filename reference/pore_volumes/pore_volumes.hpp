@@ -15,4 +15,7 @@ std::unique_ptr<Method> make_pore_volumes_sor();
 /// The model with the conductance rule `mixed-area`.
 std::unique_ptr<Method> make_pore_volumes_mixed_area();
 
+/// The model with the conductance rule `calibrated`.
+std::unique_ptr<Method> make_pore_volumes_calibrated();
+
 } // namespace reference

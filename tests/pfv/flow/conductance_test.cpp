@@ -23,20 +23,22 @@ TEST(ConductanceRules, AreHagenPoiseuilleInATube) { // K = pi r^4 / (8 mu l)
   const double r = .3, l = 2, mu = 1e-3, pi = std::numbers::pi;
   const double area = pi * r * r, surface = 2 * pi * r * l;
   const double tube = pi * std::pow(r, 4) / (8 * mu * l);
-  EXPECT_NEAR(HydraulicRadius{}(area, area * l, surface, l, mu) / tube, 1, 1e-14);
-  EXPECT_NEAR(MixedArea{}(area, area * l, surface, l, mu) / tube, 1, 1e-14);
+  const ThroatShape throat{area, area * l, surface, l};
+  EXPECT_NEAR(HydraulicRadius{}(throat, mu) / tube, 1, 1e-14);
+  EXPECT_NEAR(MixedArea{}(throat, mu) / tube, 1, 1e-14);
+  EXPECT_NEAR(Calibrated{}(throat, mu) / tube, 1, 1e-14); // tight: nothing of its facet is open
 }
 
 TEST(ConductanceRules, MixedAreaIsTheGeometricMeanOfBothAreas) {
-  const double ratio = MixedArea{}(1, 8, 5, 2, 1) / HydraulicRadius{}(1, 8, 5, 2, 1);
+  const double ratio = MixedArea{}({1, 8, 5, 2}, 1) / HydraulicRadius{}({1, 8, 5, 2}, 1);
   EXPECT_NEAR(ratio, 2, 1e-14); // Theta / l = 4 S_f
 }
 
 TEST(ConductanceRules, AreFoundByName) {
-  EXPECT_EQ(names_of<Conductance>(), (std::vector<std::string_view>{"hydraulic-radius", "mixed-area"}));
+  EXPECT_EQ(names_of<Conductance>(), (std::vector<std::string_view>{"hydraulic-radius", "mixed-area", "calibrated"}));
   EXPECT_EQ(name_of(choice_named<Conductance>("conductance", "mixed-area")), "mixed-area");
   EXPECT_EQ(message_of<InputError>([] { choice_named<Conductance>("conductance", "bruggeman"); }),
-            "conductance \"bruggeman\" is not one of hydraulic-radius, mixed-area");
+            "conductance \"bruggeman\" is not one of hydraulic-radius, mixed-area, calibrated");
   EXPECT_EQ(message_of<InputError>([] { choice_named<WallRule>("walls", "rough"); }),
             "walls \"rough\" is not one of mirror, no-slip, original");
 }

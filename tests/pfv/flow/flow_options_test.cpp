@@ -49,7 +49,7 @@ TEST(FlowOptions, RefuseWhatTheyDoNotKnow) {
   EXPECT_EQ(complaint("pfv = 1\n"), "c.toml:1: pfv \"1\" must be a table");
   FlowOptionNames said;
   said.conductance = "kozeny";
-  EXPECT_EQ(complaint("", said), "conductance \"kozeny\" is not one of hydraulic-radius, mixed-area");
+  EXPECT_EQ(complaint("", said), "conductance \"kozeny\" is not one of hydraulic-radius, mixed-area, calibrated");
 }
 
 } // namespace
