@@ -26,6 +26,7 @@ void add_compare(CLI::App& app, Invocation& invocation);
 void add_report(CLI::App& app);
 void add_index(CLI::App& app);
 void add_samples(CLI::App& app);
+void add_calibrate(CLI::App& app);
 void add_answer(CLI::App& app, Invocation& invocation);
 void add_steps(CLI::App& app, Invocation& invocation);
 

@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
   add_report(app);
   add_index(app);
   add_samples(app);
+  add_calibrate(app);
   add_answer(app, invocation);
   add_steps(app, invocation);
   try {
