@@ -119,10 +119,10 @@ VtkPoints read(const std::string& file, const std::string& contents) {
 VtkPoints read_vtk_points(const std::string& file, const std::string& contents) {
   const Allowance allowance{.memory = (std::size_t{1} << 30) + 64 * contents.size(),
                             .cpu_seconds = 5 + contents.size() / 1'000'000};
-  const auto bytes = answer_apart([&] { return to_bytes(read(file, contents)); }, allowance);
+  const auto bytes = answer_apart([&] { return bytes_of(read(file, contents)); }, allowance);
   if (!bytes)
     throw InputError(fmt::format("{}: not sound VTK: VTK's reader fails on it", file));
-  return from_bytes(*bytes);
+  return vtk_points_in(*bytes);
 }
 
 } // namespace pfv

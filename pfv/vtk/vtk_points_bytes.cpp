@@ -70,7 +70,7 @@ private:
 
 } // namespace
 
-std::string to_bytes(const VtkPoints& points) {
+std::string bytes_of(const VtkPoints& points) {
   Writer writer;
   writer.put(points.coordinates);
   writer.put(points.of_points);
@@ -78,7 +78,7 @@ std::string to_bytes(const VtkPoints& points) {
   return std::move(writer).bytes();
 }
 
-VtkPoints from_bytes(std::string_view bytes) {
+VtkPoints vtk_points_in(std::string_view bytes) {
   Reader reader(bytes);
   VtkPoints points;
   points.coordinates = reader.values();

@@ -4,8 +4,8 @@
 
 namespace pfv {
 
-// Points as bytes, from one process to another on the same machine: from_bytes(to_bytes(points)) is points.
-std::string to_bytes(const VtkPoints& points);
-VtkPoints from_bytes(std::string_view bytes);
+// Points as bytes, from one process to another on the same machine: vtk_points_in(bytes_of(points)) is points.
+std::string bytes_of(const VtkPoints& points);
+VtkPoints vtk_points_in(std::string_view bytes);
 
 } // namespace pfv

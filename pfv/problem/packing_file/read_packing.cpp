@@ -49,7 +49,9 @@ std::string bounding_box(const std::vector<Sphere>& spheres) {
     box.lower = box.lower.cwiseMin((centre.array() - radius).matrix());
     box.upper = box.upper.cwiseMax((centre.array() + radius).matrix());
   }
-  return fmt::format("{},{}", shortest(box.lower, ","), shortest(box.upper, ","));
+  const auto& [lower, upper] = box;
+  return fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}", lower.x(), lower.y(), lower.z(), upper.x(), upper.y(),
+                     upper.z());
 }
 
 [[noreturn]] void fail_without_box(const SphereList& list) {
