@@ -12,9 +12,9 @@ namespace pfv {
 
 /// What is said of a packing file that it does not say itself.
 struct PackingFileOptions {
-  std::optional<double> scale;     // m, length of one unit of the file and of `box`; 1 when not said
-  std::optional<Box> box;          // in the unit of the file; takes the place of the file's own
-  std::string box_place = "--box"; // where it was said, for messages
+  std::optional<double> scale = {}; // m, length of one unit of the file and of `box`; 1 when not said
+  std::optional<Box> box = {};      // in the unit of the file; takes the place of the file's own
+  std::string box_place = "--box";  // where it was said, for messages
 };
 
 /// Throws InputError unless it is a positive number.

@@ -56,8 +56,6 @@ std::string bounding_box(const std::vector<Sphere>& spheres) {
 
 [[noreturn]] void fail_without_box(const SphereList& list) {
   const std::string& file = list.origin.file;
-  if (list.spheres.empty())
-    throw InputError(fmt::format("{}: packing has \"0\" spheres and needs at least one", file));
   for (std::size_t i = 0; i < list.spheres.size(); ++i)
     validate(list.spheres[i], place_of_sphere(list.origin, i));
   throw InputError(fmt::format("{}: no box; --box, box in [packing] or, in text, a line \"# box x0 y0 z0 x1 y1 z1\" "
@@ -80,6 +78,8 @@ ReadPacking read_packing_file(const std::filesystem::path& file, const PackingFi
   const double scale = options.scale.value_or(1);
   validate_scale(scale);
   SphereList list = read_spheres(file);
+  if (list.spheres.empty())
+    throw InputError(fmt::format("{}: packing has \"0\" spheres and needs at least one", file.string()));
   if (options.box) {
     list.box = options.box;
     list.origin.box = options.box_place;

@@ -115,7 +115,7 @@ TEST(ReadPackingRefuses, NoBoxOrTwo) {
 
 TEST(ReadPackingRefuses, EmptyPackings) {
   EXPECT_EQ(complaint(""), "p.txt: packing has \"0\" spheres and needs at least one");
-  EXPECT_EQ(complaint("\n# box 0 0 0 1 1 1\n"), "p.txt:2: packing has \"0\" spheres and needs at least one");
+  EXPECT_EQ(complaint("\n# box 0 0 0 1 1 1\n"), "p.txt: packing has \"0\" spheres and needs at least one");
 }
 
 TEST(ReadPackingRefuses, UnreadableFiles) {

@@ -9,7 +9,7 @@ namespace {
 class DamagedFile : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(DamagedFile, IsRefusedInOneLineOrRead) {
-  testing::expect_refused_or_read(GetParam(), 2000, {.box = Box{Vec3(-1, -1, -1), Vec3(3, 3, 3)}});
+  testing::expect_refused_or_read(GetParam(), 500, {.box = Box{Vec3(-1, -1, -1), Vec3(3, 3, 3)}});
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, DamagedFile,

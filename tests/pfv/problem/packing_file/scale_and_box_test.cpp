@@ -121,7 +121,7 @@ TEST_F(InACase, OptionsAreForFilesOnly) {
   box.packing.box = Box{};
   EXPECT_EQ(complaint("generator = \"nine_spheres\"", scale),
             "c.toml:1: --scale is for a packing file; [packing] has none");
-  EXPECT_EQ(complaint("box = [[0, 0, 0], [1, 1, 1]]\nspheres = [[.5, .5, .5, .1]]", box),
+  EXPECT_EQ(complaint("box = [[0, 0, 0], [1, 1, 1]]\nspheres = [[0.5, 0.5, 0.5, 0.1]]", box),
             "c.toml:1: --box is for a packing file; [packing] has none");
 }
 
