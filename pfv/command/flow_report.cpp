@@ -44,6 +44,8 @@ std::string text_report(const Case& problem, const FlowOptions& options, const S
   std::string text;
   const auto line = [&](const char* what, const std::string& value) { text += fmt::format("{:<14}{}\n", what, value); };
   line("case", problem.name);
+  for (const std::string& note : problem.notes)
+    line("packing", note);
   line("spheres", fmt::format("{}", problem.packing.spheres.size()));
   line("pores", fmt::format("{} ({} unknowns)", flow.network.pores.size(), flow.system.unknowns()));
   line("porosity", fmt::format("{:.6g}", flow.network.porosity()));
@@ -76,6 +78,8 @@ std::string text_report(const Case& problem, const FlowOptions& options, const S
 std::string json_report(const Case& problem, const FlowOptions& options, const SteadyFlow& flow, const Clock& clock) {
   nlohmann::ordered_json json;
   json["case"] = problem.name;
+  if (!problem.notes.empty())
+    json["notes"] = problem.notes;
   json["digest"] = digest(problem);
   json["spheres"] = problem.packing.spheres.size();
   json["pores"] = flow.network.pores.size();

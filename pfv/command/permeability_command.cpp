@@ -19,7 +19,8 @@ struct Options {
   std::string file;
   std::optional<std::string> axis;
   std::vector<std::string> periodic;
-  std::optional<double> viscosity;
+  std::optional<double> viscosity, scale;
+  std::optional<std::string> box;
   FlowOptionNames how;
   std::string forces_file;
   std::string vtk_folder;
@@ -48,6 +49,9 @@ QuestionOptions question(const Options& options) {
   if (!options.periodic.empty())
     said.periodic = axes_named(options.periodic);
   said.viscosity = options.viscosity;
+  said.packing.scale = options.scale;
+  if (options.box)
+    said.packing.box = box_named(*options.box);
   return said;
 }
 
@@ -68,12 +72,16 @@ void run(const Options& options) {
 void add_permeability_command(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("permeability", "Steady flow through a packing: permeability and forces");
-  command->add_option("FILE", options->file, "packing (text or CSV) or case (TOML)")->required();
+  command->add_option("FILE", options->file, "packing (text, CSV, YADE export, LAMMPS dump, VTK) or case (TOML)")
+      ->required();
   command->add_option("--axis", options->axis,
                       "flow along x, y or z; by default a packing has z, under a drop of 1 Pa");
   command->add_option("--periodic", options->periodic, "axes along which the box repeats: x,y,z or fewer")
       ->delimiter(',')
       ->allow_extra_args(false);
+  command->add_option("--scale", options->scale,
+                      "length of one unit of the packing file, and of --box (m); 1 by default");
+  command->add_option("--box", options->box, "of the packing file, x0,y0,z0,x1,y1,z1; wins over the file's own");
   command->add_option("--viscosity", options->viscosity, "of the fluid (Pa s)");
   command->add_option("--solver", options->how.solver, "auto, cholmod, gauss-seidel, amg or multigrid");
   command->add_option("--walls", options->how.walls, list_of(names_of<WallRule>()));

@@ -73,6 +73,8 @@ std::string opening_report(const Scene& scene, const Simulation& simulation) {
   std::string text;
   const auto line = [&](const char* what, const std::string& value) { text += fmt::format("{:<14}{}\n", what, value); };
   line("scene", scene.name);
+  for (const std::string& note : scene.notes)
+    line("packing", note);
   line("grains", fmt::format("{}", simulation.grains().grains.size()));
   if (const auto& fluid = simulation.fluid())
     line("pores", fmt::format("{}", fluid->network().pores.size()));
@@ -125,6 +127,8 @@ std::string json_report(const Scene& scene, const Simulation& simulation) {
   const Vec3 size = cycle.grains.packing.box.size();
   nlohmann::ordered_json json;
   json["scene"] = scene.name;
+  if (!scene.notes.empty())
+    json["notes"] = scene.notes;
   json["grains"] = cycle.grains.size();
   json["effects"] = effects_of(scene);
   json["contact_limit"] = simulation.limits().contact;

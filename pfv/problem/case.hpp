@@ -1,7 +1,7 @@
 #pragma once
 
 #include "pfv/problem/face_condition.hpp"
-#include "pfv/problem/packing.hpp"
+#include "pfv/problem/packing_file.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -40,6 +40,7 @@ struct Case {
   FaceConditions faces;
   std::optional<Buoyancy> buoyancy;
   std::vector<PressurePoint> pressure_points = {};
+  std::vector<std::string> notes = {}; // of the reader of its packing; not part of the question either
 
   bool operator==(const Case&) const = default;
 };
@@ -70,6 +71,7 @@ struct QuestionOptions {
   std::optional<Axis> axis;             // of the flow
   std::optional<PeriodicAxes> periodic; // axes along which the box repeats
   std::optional<double> viscosity;      // Pa s
+  PackingFileOptions packing = {};
 };
 
 /// Whether read_question takes the file for a case: its name ends in .toml.

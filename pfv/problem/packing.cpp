@@ -15,13 +15,8 @@ namespace pfv {
 
 namespace {
 
-std::string where(const PackingOrigin& origin, std::size_t sphere) {
-  return origin.file.empty() ? fmt::format("spheres[{}]", sphere)
-                             : fmt::format("{}:{}", origin.file, origin.sphere_lines.at(sphere));
-}
-
 std::string where_box(const PackingOrigin& origin) {
-  return origin.file.empty() ? "box" : fmt::format("{}:{}", origin.file, origin.box_line);
+  return origin.box.empty() ? "box" : origin.box;
 }
 
 void validate(const Box& box, const PackingOrigin& origin) {
@@ -34,14 +29,12 @@ void validate(const Box& box, const PackingOrigin& origin) {
                                  shortest(box.lower), shortest(box.upper)));
 }
 
-void validate(const Sphere& sphere, const Box& box, const std::string& place) {
-  if (!sphere.centre.allFinite())
-    throw InputError(fmt::format("{}: centre \"{}\" must be three finite numbers (m)", place, shortest(sphere.centre)));
-  if (!std::isfinite(sphere.radius) || !(sphere.radius > 0))
-    throw InputError(fmt::format("{}: radius \"{}\" must be a positive number (m)", place, shortest(sphere.radius)));
+void validate(const Sphere& sphere, const Box& box, const PackingOrigin& origin, std::size_t number) {
+  if (!sphere.centre.allFinite() || !std::isfinite(sphere.radius) || !(sphere.radius > 0))
+    validate(sphere, place_of_sphere(origin, number));
   if ((sphere.centre.array() < box.lower.array()).any() || (sphere.centre.array() > box.upper.array()).any())
-    throw InputError(fmt::format("{}: centre \"{}\" must lie in the box \"{} {}\" (m)", place, shortest(sphere.centre),
-                                 shortest(box.lower), shortest(box.upper)));
+    throw InputError(fmt::format("{}: centre \"{}\" must lie in the box \"{} {}\" (m)", place_of_sphere(origin, number),
+                                 shortest(sphere.centre), shortest(box.lower), shortest(box.upper)));
 }
 
 bool lexicographic(const Vec3& a, const Vec3& b) {
@@ -65,18 +58,33 @@ void validate_distinct(const Packing& packing, const PackingOrigin& origin, cons
     return;
   const Vec3 &one = spheres[twin[0]].centre, &other = spheres[twin[1]].centre;
   throw InputError(fmt::format("{}: centre \"{}\" must differ from that of every other sphere; {} has {}",
-                               where(origin, twin[1]), shortest(other), where(origin, twin[0]),
+                               place_of_sphere(origin, twin[1]), shortest(other), place_of_sphere(origin, twin[0]),
                                one == other ? "it too" : "its periodic image " + shortest(one)));
 }
 
 } // namespace
+
+std::string place_of_sphere(const PackingOrigin& origin, std::size_t sphere) {
+  if (origin.file.empty())
+    return fmt::format("spheres[{}]", sphere);
+  if (origin.sphere_lines.empty())
+    return fmt::format("{}: point {}", origin.file, sphere);
+  return fmt::format("{}:{}", origin.file, origin.sphere_lines.at(sphere));
+}
+
+void validate(const Sphere& sphere, const std::string& place) {
+  if (!sphere.centre.allFinite())
+    throw InputError(fmt::format("{}: centre \"{}\" must be three finite numbers (m)", place, shortest(sphere.centre)));
+  if (!std::isfinite(sphere.radius) || !(sphere.radius > 0))
+    throw InputError(fmt::format("{}: radius \"{}\" must be a positive number (m)", place, shortest(sphere.radius)));
+}
 
 void validate(const Packing& packing, const PackingOrigin& origin, const PeriodicAxes& periodic) {
   validate(packing.box, origin);
   if (packing.spheres.empty())
     throw InputError(fmt::format("{}: packing has \"0\" spheres and needs at least one", where_box(origin)));
   for (std::size_t i = 0; i < packing.spheres.size(); ++i)
-    validate(packing.spheres[i], packing.box, where(origin, i));
+    validate(packing.spheres[i], packing.box, origin, i);
   validate_distinct(packing, origin, periodic);
 }
 

@@ -33,12 +33,10 @@ struct Packing {
   bool operator==(const Packing&) const = default;
 };
 
-/// Reads a packing: text (`# box x0 y0 z0 x1 y1 z1`, then `x y z r` per line, SI) or, when the first line that is not a
-/// comment names the columns, CSV (`x,y,z,r` in any order; the box comes from the same `# box` comment).
-/// Throws InputError naming file, line, value and what is allowed.
+/// Reads a packing file in SI that says its box, as read_packing_file does. Throws InputError.
 Packing read_packing(const std::filesystem::path& file, const PeriodicAxes& periodic = {});
 
-/// Writes the text form, every number with the digits that read back to the same double.
+/// Writes plain text, every number with the digits that read back to the same double.
 void write_packing(const Packing& packing, std::ostream& out);
 
 /// Throws InputError on the first thing no method can work with: an empty box or packing, a value that is not finite, a

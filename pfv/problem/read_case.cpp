@@ -59,6 +59,11 @@ FaceConditions face_conditions(const FaceInput& input, const Box& box) {
               : std::get<FaceConditions>(input);
 }
 
+void take(Case& problem, ReadPacking read) {
+  problem.packing = std::move(read.packing);
+  problem.notes = std::move(read.notes);
+}
+
 Case read_case(const std::filesystem::path& file, const QuestionOptions& options) {
   const toml::table root = read_toml(file);
   allow_keys(root, "a case", {"name", "packing", "fluid", "flow", "faces", "pressure_points", "buoyancy", "pfv"});
@@ -68,7 +73,7 @@ Case read_case(const std::filesystem::path& file, const QuestionOptions& options
     problem.name = as_text(*name, "name");
   const toml::table& packing = as_table(required(root, "the case", "packing"), "packing");
   const FaceInput input = overridden(read_face_input(root), options);
-  problem.packing = read_packing(packing, file.parent_path(), periodic_axes(input));
+  take(problem, read_packing(packing, file.parent_path(), periodic_axes(input), options.packing));
   problem.faces = face_conditions(input, problem.packing.box);
   problem.fluid = read_fluid(root);
   if (const toml::node* points = root.get("pressure_points"))
@@ -96,7 +101,7 @@ Case read_question(const std::filesystem::path& file, const QuestionOptions& opt
   } else {
     problem.name = file.stem().string();
     const FaceInput input = overridden(FlowAlong{}, options);
-    problem.packing = pfv::read_packing(file, periodic_axes(input));
+    take(problem, read_packing_file(file, options.packing, periodic_axes(input)));
     problem.faces = face_conditions(input, problem.packing.box);
   }
   if (options.viscosity) {

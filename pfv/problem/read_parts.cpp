@@ -13,19 +13,27 @@ int line_of(const toml::node& node) {
   return static_cast<int>(node.source().begin.line);
 }
 
+std::string place_of(const toml::table& table, const toml::node& node) {
+  return fmt::format("{}:{}", *table.source().path, line_of(node));
+}
+
+Box as_box(const toml::node& node) {
+  const auto* corners = node.as_array();
+  if (!corners || corners->size() != 2)
+    fail_at(node, fmt::format("box \"{}\" must be two corners [[x, y, z], [x, y, z]] (m)", quote(node)));
+  return {as_vector((*corners)[0], "box corner"), as_vector((*corners)[1], "box corner")};
+}
+
 Packing read_inline(const toml::table& table, const PeriodicAxes& periodic) {
   allow_keys(table, "[packing] with spheres", {"box", "spheres"});
   const toml::node& box = required(table, "[packing]", "box");
-  const auto* corners = box.as_array();
-  if (!corners || corners->size() != 2)
-    fail_at(box, fmt::format("box \"{}\" must be two corners [[x, y, z], [x, y, z]] (m)", quote(box)));
+  Packing packing{as_box(box), {}};
   const toml::node& list = required(table, "[packing]", "spheres");
   const auto* rows = list.as_array();
   if (!rows)
     fail_at(list, fmt::format("spheres \"{}\" must be a list of [x, y, z, r] (m)", quote(list)));
 
-  Packing packing{{as_vector((*corners)[0], "box corner"), as_vector((*corners)[1], "box corner")}, {}};
-  PackingOrigin origin{*table.source().path, line_of(box), {}};
+  PackingOrigin origin{*table.source().path, place_of(table, box), {}};
   for (const toml::node& row : *rows) {
     const auto* values = row.as_array();
     if (!values || values->size() != 4)
@@ -38,20 +46,36 @@ Packing read_inline(const toml::table& table, const PeriodicAxes& periodic) {
   return packing;
 }
 
+/// What [packing] says of its file, where `said` does not.
+PackingFileOptions file_options(const toml::table& table, PackingFileOptions said) {
+  if (const toml::node* scale = table.get("scale"); scale && !said.scale) {
+    said.scale = as_number(*scale, "scale");
+    located(*scale, [&] { validate_scale(*said.scale); });
+  }
+  if (const toml::node* box = table.get("box"); box && !said.box) {
+    said.box = as_box(*box);
+    said.box_place = place_of(table, *box);
+  }
+  return said;
+}
+
 } // namespace
 
-Packing read_packing(const toml::table& table, const std::filesystem::path& folder, const PeriodicAxes& periodic) {
+ReadPacking read_packing(const toml::table& table, const std::filesystem::path& folder, const PeriodicAxes& periodic,
+                         const PackingFileOptions& said) {
   const bool file = table.contains("file");
   const bool generator = table.contains("generator");
-  const bool spheres = table.contains("box") || (table.contains("spheres") && !generator);
+  const bool spheres = (table.contains("box") && !file) || (table.contains("spheres") && !generator);
   if (file + generator + spheres != 1)
     fail_at(table, "[packing] must have exactly one of file, generator, or box with spheres");
+  if (!file && (said.scale || said.box))
+    fail_at(table, fmt::format("{} is for a packing file; [packing] has none", said.scale ? "--scale" : "--box"));
   if (generator)
-    return read_generator(table, periodic);
+    return {read_generator(table, periodic), {}};
   if (spheres)
-    return read_inline(table, periodic);
-  allow_keys(table, "[packing] with a file", {"file"});
-  return pfv::read_packing(folder / as_text(*table.get("file"), "file"), periodic);
+    return {read_inline(table, periodic), {}};
+  allow_keys(table, "[packing] with a file", {"file", "scale", "box"});
+  return read_packing_file(folder / as_text(*table.get("file"), "file"), file_options(table, said), periodic);
 }
 
 Fluid read_fluid(const toml::table& root) {

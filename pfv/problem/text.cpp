@@ -2,6 +2,7 @@
 
 #include "pfv/problem/error.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <fmt/format.h>
@@ -39,6 +40,16 @@ std::string shortest(double value) {
 
 std::string shortest(const Vec3& value, std::string_view separator) {
   return fmt::format("{}{}{}{}{}", shortest(value.x()), separator, shortest(value.y()), separator, shortest(value.z()));
+}
+
+std::string shortened(std::string_view text) {
+  return text.size() <= 60 ? std::string(text) : std::string(text.substr(0, 57)) + "...";
+}
+
+std::string printable(std::string text) {
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+  return text;
 }
 
 } // namespace pfv

@@ -19,4 +19,10 @@ std::optional<double> to_number(std::string_view text);
 std::string shortest(double value);
 std::string shortest(const Vec3& value, std::string_view separator = " ");
 
+/// Its first 60 characters, for quotes in messages.
+std::string shortened(std::string_view text);
+
+/// The text in one line: control characters replaced by question marks.
+std::string printable(std::string text);
+
 } // namespace pfv

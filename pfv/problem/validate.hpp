@@ -11,12 +11,16 @@ namespace pfv {
 /// Where the parts of a packing were written, for messages; empty for a packing that was not read.
 struct PackingOrigin {
   std::string file;
-  int box_line = 0;
-  std::vector<int> sphere_lines;
+  std::string box;               // "file:line", or the option that says it
+  std::vector<int> sphere_lines; // empty when the file has no lines; its spheres are then points by number
 };
+
+/// "file:line", "file: point 3" or "spheres[3]".
+std::string place_of_sphere(const PackingOrigin& origin, std::size_t sphere);
 
 /// The parts of validate(case); each throws InputError on the first thing no method can work with.
 void validate(const Packing& packing, const PackingOrigin& origin, const PeriodicAxes& periodic);
+void validate(const Sphere& sphere, const std::string& place); // whatever its box
 void validate(const Fluid& fluid);
 void validate(const FaceConditions& faces);
 void validate(const PressurePoint& point, const Box& box);

@@ -261,8 +261,10 @@ SceneFile read_scene(const std::filesystem::path& file) {
     scene.name = as_text(*name, "name");
   const auto* walls = part(root, "walls");
   const PeriodicAxes periodic = walls ? periodic_of(*walls) : PeriodicAxes{};
-  scene.packing =
+  ReadPacking packing =
       read_packing(as_table(required(root, "the scene", "packing"), "packing"), file.parent_path(), periodic);
+  scene.packing = std::move(packing.packing);
+  scene.notes = std::move(packing.notes);
   scene.grains = read_grains(root, scene.packing);
   scene.fluid = read_fluid_scene(file, root, scene.packing, periodic);
   if (const auto* table = part(root, "run"))

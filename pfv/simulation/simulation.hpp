@@ -32,7 +32,8 @@ struct Scene {
   GrainScene grains;
   std::optional<FluidScene> fluid;
   TimeScheme scheme;
-  std::optional<double> step; // s; from the limits when absent
+  std::optional<double> step;          // s; from the limits when absent
+  std::vector<std::string> notes = {}; // of the reader of its packing
 };
 
 /// The longest stable steps (s).

@@ -93,6 +93,7 @@ void write_spheres(const std::filesystem::path& file, const Packing& packing, co
   data->SetPoints(points);
   data->SetVerts(vertices);
   add_scalars(data->GetPointData(), "radius", radius);
+  add_vectors(data->GetFieldData(), "box", {packing.box.lower, packing.box.upper});
   add_vectors(data->GetPointData(), "pressure_force", forces.pressure);
   add_vectors(data->GetPointData(), "viscous_force", forces.viscous);
   if (forces.buoyancy)

@@ -10,7 +10,8 @@ namespace pfv {
 ///   pores.vtu    a point per pore at its power centre: pressure, volume, void_volume; a line per
 ///                throat: conductance, flux; where a throat leaves a periodic box it ends at an image of its pore,
 ///                a point of its own
-///   spheres.vtp  a point per sphere: radius, pressure_force, viscous_force, and buoyancy when the case names it
+///   spheres.vtp  a point per sphere: radius, pressure_force, viscous_force, and buoyancy when the case names it; the
+///                field array box, with which it reads back as a packing
 /// Throws InputError when the folder cannot be written or this build has no VTK.
 void write_vtk(const std::filesystem::path& folder, const Packing& packing, const SteadyFlow& flow);
 

@@ -24,6 +24,8 @@ struct CompareOptions {
   std::filesystem::path file;
   std::optional<std::string> axis;
   std::vector<std::string> periodic;
+  std::optional<double> scale;
+  std::optional<std::string> box;
   std::vector<std::string> methods;
   std::vector<double> mesh_sizes{1.4, 1.0};
   std::string reference = "stokes_fem";
@@ -73,7 +75,12 @@ int compare_command(CompareOptions options) {
     question.axis = pfv::axis_named(*options.axis);
   if (!options.periodic.empty())
     question.periodic = pfv::axes_named(options.periodic);
+  question.packing.scale = options.scale;
+  if (options.box)
+    question.packing.box = pfv::box_named(*options.box);
   const pfv::Case problem = pfv::read_question(options.file, question);
+  for (const std::string& note : problem.notes)
+    fmt::print(stderr, "{}\n", note);
   const Study study = study_of(options, problem);
   if (options.settings.work.root.empty())
     options.settings.work.root = studies_folder() / "compare" / "work" /
@@ -92,11 +99,15 @@ int compare_command(CompareOptions options) {
 void add_compare(CLI::App& app, Invocation& invocation) {
   auto options = std::make_shared<CompareOptions>();
   CLI::App* command = app.add_subcommand("compare", "Asks several methods about one case or packing");
-  command->add_option("case", options->file, "Case in TOML, or packing in text or CSV")->required();
+  command->add_option("case", options->file, "Case (TOML) or packing (text, CSV, YADE export, LAMMPS dump, VTK)")
+      ->required();
   command->add_option("--axis", options->axis, "Of the flow: x, y or z (the default of a packing)");
   command->add_option("--periodic", options->periodic, "Axes along which the box repeats: x,y,z or fewer")
       ->delimiter(',')
       ->allow_extra_args(false);
+  command->add_option("--scale", options->scale,
+                      "Length of one unit of the packing file, and of --box (m); 1 by default");
+  command->add_option("--box", options->box, "Of the packing file, x0,y0,z0,x1,y1,z1; wins over the file's own");
   command->add_option("--methods", options->methods, "Which, a,b,...; all by default")->delimiter(',');
   command->add_option("--mesh-sizes", options->mesh_sizes, "Of the methods with a mesh; 1 is the default mesh")
       ->delimiter(',')

@@ -155,6 +155,17 @@ TEST(StudyFile, PackingFilesAreRelativeToTheStudy) {
   EXPECT_EQ(pfv::digest(pfv::read_case(stored.file)), stored.digest);
 }
 
+TEST(StudyFile, PackingFilesMayHaveAScaleAndABox) {
+  const TemporaryFolder folder;
+  folder.write("packing.txt", "#format x_y_z_r\n1 1 1 0.5\n");
+  const auto text = replaced(
+      study_text, "packing = { box = [[0, 0, 0], [1, 1, 1]], spheres = [[0.3, 0.4, 0.5, 0.2], [0.7, 0.6, 0.5, 0.1]] }",
+      "packing = { file = \"packing.txt\", scale = 0.5, box = [[0, 0, 0], [2, 2, 2]] }");
+  const auto study = read_study(folder.write("study.toml", text));
+  const auto stored = studies::store_case(study.cases[0], folder.path() / "cases", "");
+  EXPECT_EQ(stored.problem.packing, (pfv::Packing{pfv::Box{}, {{pfv::Vec3(0.5, 0.5, 0.5), 0.25}}}));
+}
+
 TEST(StudyFile, StoresAQuestionAsItWasWithItsSpheresInAFileBeside) {
   const TemporaryFolder folder;
   const auto text =

@@ -54,6 +54,23 @@ TEST(PermeabilityCommand, ScalesWithOptions) {
   EXPECT_LT(answer(data + "/g200.txt --axis y --walls original")["permeability"].get<double>() / k, 0.85);
 }
 
+TEST(PermeabilityCommand, ReadsPackingsOfOtherTools) {
+  const std::string yade = data + "/formats/yade_text.txt", dump = data + "/formats/liggghts.dump";
+  const double k = answer(yade + " --box 0,0,0,1,1,1")["permeability"];
+  const double k_mm = answer(yade + " --scale 1e-3 --box 0,0,0,1,1,1")["permeability"];
+  EXPECT_NEAR(k_mm / k, 1e-6, 1e-15);
+  EXPECT_NEAR(answer(yade + " --box -1,0,0,2,1,1")["porosity"].get<double>(),
+              (answer(yade + " --box 0,0,0,1,1,1")["porosity"].get<double>() + 2) / 3, 1e-9);
+  const auto json = answer(dump + " --periodic y");
+  EXPECT_EQ(json["spheres"], 3);
+  ASSERT_EQ(json["notes"].size(), 1U);
+  EXPECT_EQ(json["notes"][0], dump + ": the last of 3 snapshots, time step 20");
+  EXPECT_NE(permeability(dump).output.find("its box repeats along y"), std::string::npos);
+  expect_bad_input(yade, "--box 0.0375,0.0375,0.0375,0.875,0.7,0.95");
+  expect_bad_input(yade + " --box 0,0,1", "box \"0,0,1\" must be six numbers");
+  expect_bad_input(yade + " --scale -1", "scale \"-1\" must be a positive number");
+}
+
 TEST(PermeabilityCommand, ReadsACase) {
   const TemporaryFile file("lattice.toml", "[packing]\ngenerator = \"simple_cubic\"\nsolid_fraction = \"touching\"\n"
                                            "cells = 2\n[flow]\naxis = \"x\"\n");

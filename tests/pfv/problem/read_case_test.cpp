@@ -146,7 +146,7 @@ TEST(ReadCaseRefuses, UnknownKeysNamingTheValidOnes) {
 
 TEST(ReadCaseRefuses, UnknownPackingKeysByKindOfPacking) {
   EXPECT_EQ(complaint_about_packing("file = \"a\"\nseed = 1\n"),
-            "c.toml:5: unknown key \"seed\" in [packing] with a file; valid keys: file");
+            "c.toml:5: unknown key \"seed\" in [packing] with a file; valid keys: file, scale, box");
   EXPECT_EQ(complaint_about_packing("box = [[0, 0, 0], [1, 1, 1]]\nspheres = []\nsize = 1\n"),
             "c.toml:6: unknown key \"size\" in [packing] with spheres; valid keys: box, spheres");
   EXPECT_EQ(complaint_about_packing("generator = \"fcc\"\nsolid_fraction = 0.1\nseed = 1\n"),

@@ -41,6 +41,7 @@ TEST(ReadPacking, Csv) {
   EXPECT_EQ(read("# box 0 -1 0 2 1 1\nx,y,z,r\n0.5,0,0.25,0.125\n1.5,-0.5,1,0.002\n"), sample);
   EXPECT_EQ(read("\xEF\xBB\xBFradius, z ,y,x\r\n# box 0 -1 0 2 1 1\r\n0.125, 0.25,0,0.5\r\n0.002,1,-0.5 ,1.5\r\n"),
             sample);
+  EXPECT_EQ(read("# box 0 -1 0 2 1 1\nx,y,z,diameter\n0.5,0,0.25,0.25\n1.5,-0.5,1,0.004\n"), sample);
   EXPECT_EQ(read("# box 0 -1 0 2 1 1\nr x y z\n0.125 0.5 0 0.25\n0.002 1.5 -0.5 1\n"), sample);
 }
 
@@ -99,19 +100,22 @@ TEST(ReadPackingRefuses, WrongColumns) {
   for (const char* header : {"x,y,z", "x,y,z,d", "x,y,z,r,id", "x,y,r,radius", "hello"})
     EXPECT_EQ(complaint(std::string(header) + "\n# box 0 0 0 1 1 1\n"),
               std::string("p.txt:1: columns \"") + header +
-                  "\" must be x, y, z and r (or radius), each once, in any order");
+                  "\" must be x, y, z and one of r, radius, radii, diameter, each once, in any order");
 }
 
 TEST(ReadPackingRefuses, NoBoxOrTwo) {
-  EXPECT_EQ(complaint("# a box\n.5 .5 .5 .1\n"), "p.txt:2: no \"# box x0 y0 z0 x1 y1 z1\" line; one is needed (m)");
+  EXPECT_EQ(
+      complaint("# a box\n.5 .5 .5 .1\n"),
+      "p.txt: no box; --box, box in [packing] or, in text, a line \"# box x0 y0 z0 x1 y1 z1\" must say it; that of the "
+      "spheres is --box 0.4,0.4,0.4,0.6,0.6,0.6");
   EXPECT_EQ(complaint("# box 0 0 0 1 1\n"), "p.txt:1: \"# box 0 0 0 1 1\" must be # box x0 y0 z0 x1 y1 z1 (m)");
   EXPECT_EQ(complaint("# box 0 0 0 1 1 1\n# box 0 0 0 1 1 1\n.5 .5 .5 .1\n"),
             "p.txt:2: second \"# box\" line; only one is allowed, and line 1 is one");
 }
 
 TEST(ReadPackingRefuses, EmptyPackings) {
-  EXPECT_EQ(complaint(""), "p.txt:1: no \"# box x0 y0 z0 x1 y1 z1\" line; one is needed (m)");
-  EXPECT_EQ(complaint("\n# box 0 0 0 1 1 1\n"), "p.txt:2: packing has \"0\" spheres and needs at least one");
+  EXPECT_EQ(complaint(""), "p.txt: packing has \"0\" spheres and needs at least one");
+  EXPECT_EQ(complaint("\n# box 0 0 0 1 1 1\n"), "p.txt: packing has \"0\" spheres and needs at least one");
 }
 
 TEST(ReadPackingRefuses, UnreadableFiles) {
