@@ -36,8 +36,7 @@ Passivity passivity(const Eigen::MatrixXd& resistance) {
   const Eigen::MatrixXd symmetric = 0.5 * (resistance + resistance.transpose());
   const Eigen::VectorXd values =
       Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly).eigenvalues();
-  return {values.minCoeff() / values.maxCoeff(),
-          (resistance - resistance.transpose()).norm() / resistance.norm()};
+  return {values.minCoeff() / values.maxCoeff(), (resistance - resistance.transpose()).norm() / resistance.norm()};
 }
 
 } // namespace pfv
