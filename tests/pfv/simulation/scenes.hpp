@@ -1,5 +1,7 @@
 #pragma once
 
+#include "pfv/grains/contact_list.hpp"
+#include "pfv/problem/generate.hpp"
 #include "pfv/simulation/drained_box.hpp"
 #include "pfv/simulation/energy_account.hpp"
 
