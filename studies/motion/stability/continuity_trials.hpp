@@ -4,8 +4,8 @@
 
 namespace studies {
 
-/// Lattices moved by a jitter, and a sphere at a small gap from a wall: k must tend to that of the exact lattice, of the
-/// sphere that touches. Plotted: the jitter, the change of k; by the original, k itself.
+/// Lattices moved by a jitter, and a sphere at a small gap from a wall: k must tend to that of the exact lattice, of
+/// the sphere that touches. Plotted: the jitter, the change of k; by the original, k itself.
 std::vector<Trial> jitter_trials();
 std::vector<Trial> gap_trials();
 

@@ -11,4 +11,8 @@ std::vector<Trial> flip_trials();
 /// Grains that have parted as far as pores are let follow them: forces before and after these are triangulated anew.
 std::vector<Trial> renewal_trials();
 
+/// Motion that hardly changes from step to step, so that pressures do not either: forces after 400 steps against those
+/// of a fluid that starts there.
+std::vector<Trial> steady_motion_trials();
+
 } // namespace studies

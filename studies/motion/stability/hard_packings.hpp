@@ -11,7 +11,8 @@ namespace studies {
 struct HardPacking {
   std::string name;
   pfv::Packing packing;
-  bool quick = false; // tried in quick runs too
+  bool quick = false;        // tried in quick runs too
+  double most_permeable = 1; // k over the square of the length: what it must not exceed
 };
 
 /// Lattices whose Delaunay triangulation is degenerate, wide distributions of sizes, overlaps, spheres across walls,

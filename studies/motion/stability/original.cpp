@@ -43,7 +43,9 @@ std::string in_words(const std::string& failure) {
     return what.starts_with(killed) ? "crashed with " + what.substr(killed.size())
                                     : "no answer in " + what.substr(stopped.size());
   }
-  return what;
+  // Of a message of several lines the last says what went wrong.
+  const auto words = what.find("; its last words: "), last = what.rfind(" | ");
+  return words == what.npos || last == what.npos ? what : what.substr(0, words) + ": " + what.substr(last + 3);
 }
 
 std::vector<bool> away_from_corners(const pfv::Packing& packing) {
@@ -51,9 +53,8 @@ std::vector<bool> away_from_corners(const pfv::Packing& packing) {
   for (int corner = 0; corner < 8; ++corner) {
     const pfv::Vec3 share(corner & 1, corner >> 1 & 1, corner >> 2);
     const pfv::Vec3 at = packing.box.lower + share.cwiseProduct(packing.box.size());
-    const auto nearest = std::ranges::min_element(packing.spheres, {}, [&](const pfv::Sphere& sphere) {
-      return (sphere.centre - at).norm() - sphere.radius;
-    });
+    const auto nearest = std::ranges::min_element(
+        packing.spheres, {}, [&](const pfv::Sphere& sphere) { return (sphere.centre - at).norm() - sphere.radius; });
     away[static_cast<std::size_t>(nearest - packing.spheres.begin())] = false;
   }
   return away;

@@ -6,10 +6,11 @@
 
 namespace studies {
 
-// What the original implementation, FlowEngine of YADE, does with a case, in words. It is asked in a process of its own,
-// with nothing that is known to be beyond it held back.
+// What the original implementation, FlowEngine of YADE, does with a case, in words. It is asked in a process of its
+// own, with nothing that is known to be beyond it held back.
 
-/// Its answer, or in words why there is none: "crashed with signal 11 (Segmentation fault)", "nan", "no answer in 60 s".
+/// Its answer, or in words why there is none: "crashed with signal 11 (Segmentation fault)", "nan", "no answer in 60
+/// s".
 struct OriginalAnswer {
   std::optional<reference::yade::Reply> reply;
   std::string why_not;

@@ -65,12 +65,11 @@ OriginalResistance original_resistance(const Packing& packing) {
   }
 }
 
-Theirs original_steps(const Scene& scene, double share) {
-  if (reference::yade::missing_program())
-    return {not_installed};
+namespace {
+
+std::string outcome_of_steps(const Scene& scene, double step) {
   const auto& law = std::get<LinearSprings>(scene.grains.law);
   const double stress = std::get<LoadedWall>(scene.grains.walls.motion[index(Face::z_max)]).stress;
-  const double step = share * *Simulation(scene).limits().viscous;
   try {
     const YadeOedometerReply reply = run_yade_oedometer(scene.packing,
                                                         {.young = law.young,
@@ -86,13 +85,25 @@ Theirs original_steps(const Scene& scene, double share) {
     const double smallest = std::ranges::min(scene.packing.spheres, {}, &Sphere::radius).radius;
     const double moved = reply.fastest * step / smallest;
     if (!std::isfinite(moved) || !std::isfinite(reply.settlement))
-      return {"nan, exit code 0"};
+      return "nan, exit code 0";
     if (moved > 0.5)
-      return {fmt::format("blown up in silence: a grain moves by {:.2g} radii in a step, exit code 0", moved)};
-    return {fmt::format("settles by {:.3g} m, {:.1g} radii in a step", reply.settlement, moved)};
+      return fmt::format("blown up in silence: a grain moves by {:.2g} radii in a step, exit code 0", moved);
+    return fmt::format("settles by {:.3g} m", reply.settlement);
   } catch (const SolveError& error) {
-    return {in_words(error.what())};
+    return in_words(error.what());
   }
+}
+
+} // namespace
+
+Theirs original_steps(const Scene& scene, const std::vector<double>& shares) {
+  if (reference::yade::missing_program())
+    return {not_installed};
+  const double limit = *Simulation(scene).limits().viscous;
+  std::string words;
+  for (const double share : shares)
+    words += fmt::format("{}at {:g}: {}", words.empty() ? "" : "; ", share, outcome_of_steps(scene, share * limit));
+  return {words};
 }
 
 } // namespace studies

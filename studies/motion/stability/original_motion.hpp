@@ -17,7 +17,8 @@ struct OriginalResistance {
 };
 OriginalResistance original_resistance(const pfv::Packing& packing);
 
-/// Its oedometer on grains like those of the scene, in steps of this share of the viscous limit that we predict.
-Theirs original_steps(const pfv::Scene& scene, double share);
+/// Its oedometer on grains like those of the scene, in steps of each of these shares of the viscous limit that we
+/// predict.
+Theirs original_steps(const pfv::Scene& scene, const std::vector<double>& shares);
 
 } // namespace studies

@@ -25,8 +25,8 @@ Packing packing_of_ratio(double ratio) {
 Measured resisting(double ratio) {
   Clock clock;
   const PoreNetwork network = build_pore_network(packing_of_ratio(ratio), {}, clock);
-  const FlowSystem system = assemble(network, conductances(network, HydraulicRadius{}, MirrorWalls{}, 1),
-                                     flow_along(Axis::z, 0.0));
+  const FlowSystem system =
+      assemble(network, conductances(network, HydraulicRadius{}, MirrorWalls{}, 1), flow_along(Axis::z, 0.0));
   const SolidFlux flux = solid_flux(network, MirrorWalls{});
   const Passivity found = passivity(resistance(system, flux, flux));
   return {{{"smallest / largest eigenvalue", found.least, -1e-10}, {"asymmetry", found.asymmetry, 0, 1e-9}},

@@ -36,9 +36,9 @@ struct Words {
 Words pfv_says(const std::string& file_name, const std::string& text) {
   const reference::TemporaryFolder folder("refusal");
   write_file(folder.path() / file_name, text);
-  const auto child = meshing::run_child(
-      {"/bin/sh", "-c", "exec \"$0\" permeability \"$1\" >out 2>error", PFV_PROGRAM, file_name},
-      {.working_folder = folder.path(), .wall_limit = 60});
+  const auto child =
+      meshing::run_child({"/bin/sh", "-c", "exec \"$0\" permeability \"$1\" >out 2>error", PFV_PROGRAM, file_name},
+                         {.working_folder = folder.path(), .wall_limit = 60});
   return {child.exit_code, read_text(folder.path() / "out"), read_text(folder.path() / "error")};
 }
 
@@ -72,15 +72,14 @@ std::vector<Trial> refusal_trials() {
     return packing;
   };
   std::vector<Trial> trials;
-  for (const Question& question : {Question{"an empty box", {}},
-                                   Question{"a centre outside of the box", with({{1.5, .5, .5}, .1})},
-                                   Question{"a radius that is no number", with({middle, std::nan("")})},
-                                   Question{"a radius of zero", with({middle, 0})},
-                                   Question{"a negative radius", with({middle, -0.1})},
-                                   Question{"two identical spheres", with(others.front())}})
+  for (const Question& question :
+       {Question{"an empty box", {}}, Question{"a centre outside of the box", with({{1.5, .5, .5}, .1})},
+        Question{"a radius that is no number", with({middle, std::nan("")})},
+        Question{"a radius of zero", with({middle, 0})}, Question{"a negative radius", with({middle, -0.1})},
+        Question{"two identical spheres", with(others.front())}})
     trials.push_back(refusal(question));
   trials.push_back({"To be refused", "no pressure anywhere", true, [] {
-                      return refused("closed.toml", "[packing]\nbox = [0, 0, 0, 1, 1, 1]\n"
+                      return refused("closed.toml", "[packing]\nbox = [[0, 0, 0], [1, 1, 1]]\n"
                                                     "spheres = [[0.5, 0.5, 0.5, 0.3]]\n[faces]\nx_min = \"slip\"\n");
                     }});
   return trials;

@@ -3,6 +3,7 @@
 #include "pfv/problem/error.hpp"
 #include "pfv/simulation/drained_box.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -11,10 +12,13 @@ namespace {
 
 using namespace pfv;
 
-std::vector<Vec3> wiggle(std::size_t spheres) {
+/// Velocities (m/s) of spheres, all different, and of the walls, at rest.
+std::vector<Vec3> wiggle(std::size_t spheres, int number = 1) {
   std::vector<Vec3> velocity(spheres + 6, Vec3::Zero());
-  for (std::size_t k = 0; k < spheres; ++k)
-    velocity[k] = {std::sin(1 + 1.0 * k), std::sin(2 + 3.0 * k), std::sin(3 + 7.0 * k)};
+  for (std::size_t k = 0; k < spheres; ++k) {
+    const double x = number * static_cast<double>(k + 1);
+    velocity[k] = {std::sin(x), std::sin(1 + 3 * x), std::sin(2 + 7 * x)};
+  }
   return velocity;
 }
 
@@ -63,7 +67,36 @@ Measured over_renewals(double ratio) {
   return {{{"rms change, renewed in place", in_place, 0, 0.05}, {"rms change, triangulated anew", anew, 0, 0.05}}};
 }
 
+Measured steady_motion(double wobble) {
+  const Scene box = drained_box(150, 5, 10);
+  Clock clock;
+  PoreFluid fluid(*box.fluid, box.packing, clock);
+  FluidScene exact = *box.fluid;
+  exact.tolerance = 1e-12;
+  constexpr int steps = 400;
+  double worst = 0;
+  for (int n = 1; n <= steps; ++n) {
+    std::vector<Vec3> velocity = wiggle(150);
+    const std::vector<Vec3> change = wiggle(150, n);
+    for (std::size_t k = 0; k < velocity.size(); ++k)
+      velocity[k] += wobble * change[k];
+    const std::vector<Vec3> forces = fluid.forces(velocity, {}, 1, clock);
+    if (n % 40 == 0)
+      worst = std::max(worst, difference(PoreFluid(exact, box.packing, clock).forces(velocity, {}, 1, clock), forces));
+  }
+  return {{{"rms error of the forces", worst, 0, 1e-5},
+           {"iterations a step", static_cast<double>(fluid.iterations) / steps}}};
+}
+
 } // namespace
+
+std::vector<Trial> steady_motion_trials() {
+  std::vector<Trial> trials;
+  for (const double wobble : {0.0, 1e-12, 1e-9, 1e-7, 1e-5, 1e-3})
+    trials.push_back({"Steady motion", fmt::format("velocities change by {:g}", wobble), wobble < 1e-10,
+                      [=] { return steady_motion(wobble); }});
+  return trials;
+}
 
 std::vector<Trial> renewal_trials() {
   std::vector<Trial> trials;

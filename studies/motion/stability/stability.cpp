@@ -12,7 +12,7 @@ namespace studies {
 std::vector<Trial> hard_cases(bool quick) {
   std::vector<Trial> all;
   for (auto* group : {steady_trials, jitter_trials, gap_trials, refusal_trials, flip_trials, renewal_trials,
-                      explicit_trials, implicit_trials, resistance_trials, energy_trials})
+                      steady_motion_trials, explicit_trials, implicit_trials, resistance_trials, energy_trials})
     for (Trial& trial : group())
       if (trial.quick || !quick)
         all.push_back(std::move(trial));

@@ -17,7 +17,8 @@ ExperimentReport run_stability(bool quick, const Say& say);
 inline constexpr Experiment stability_experiment{
     "stability", "Hard cases: degenerate, extreme and unstable ones, each held by a measure",
     "Do hard cases stay numerically stable: fluxes that balance, pressures within those imposed, energy that is "
-    "accounted for, forces that do not jump, steps that are stable up to the predicted limit? And what does the original "
+    "accounted for, forces that do not jump, steps that are stable up to the predicted limit? And what does the "
+    "original "
     "implementation do with the same cases?",
     run_stability};
 

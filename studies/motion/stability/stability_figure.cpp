@@ -65,30 +65,73 @@ std::string passivity_csv(const std::vector<TrialRow>& rows) {
   return text;
 }
 
-const char* const stability_figure = R"gnuplot(set logscale xy
+namespace {
+
+/// One curve of a plot.
+struct Curve {
+  const char* file;
+  std::string column; // as gnuplot reads it
+  const char* look;
+  std::string title;
+  std::size_t field; // of the file, counted from 1, that must not be empty in all rows
+  std::string first; // what the first field of the row must be; anything when empty
+};
+
+bool there_is_some(const std::string& csv, const Curve& curve) {
+  const auto records = parse_csv(csv).records;
+  return std::any_of(records.begin() + 1, records.end(), [&](const CsvRecord& record) {
+    return !record[curve.field - 1].empty() && (curve.first.empty() || record[0] == curve.first);
+  });
+}
+
+std::string plot(const std::string& csv, const std::string& first, const std::vector<Curve>& curves) {
+  std::string text = first;
+  for (const Curve& curve : curves)
+    if (there_is_some(csv, curve))
+      text += fmt::format("{}\"{}\" skip 1 using {} with {} title \"{}\"", text.empty() ? "plot " : ", \\\n     ",
+                          curve.file, curve.column, curve.look, curve.title);
+  return text.empty() ? text : text + "\n";
+}
+
+constexpr const char* ours[] = {"points pt 7 lc rgb \"#1f5fa8\"", "points pt 5 ps 0.8 lc rgb \"#1f5fa8\"",
+                                "points pt 9 lc rgb \"#1f5fa8\""};
+constexpr const char* original[] = {"points pt 6 lc rgb \"#c0504d\"", "points pt 4 ps 0.8 lc rgb \"#c0504d\"",
+                                    "points pt 8 lc rgb \"#c0504d\""};
+
+} // namespace
+
+std::string stability_figure(const std::vector<TrialRow>& rows) {
+  std::vector<Curve> jitters;
+  const char* const lattices[] = {"simple cubic", "BCC", "FCC"};
+  for (const std::size_t field : {3u, 4u})
+    for (std::size_t n = 0; n < 3; ++n)
+      jitters.push_back({"jitter.csv", fmt::format("2:(of(\"{}\", ${}))", lattices[n], field),
+                         field == 3 ? ours[n] : original[n],
+                         fmt::format("{}{}", field == 3 ? "" : "YADE, ", lattices[n]), field, lattices[n]});
+  const auto against_ratio = [](std::size_t field, const char* look, const char* title) {
+    return Curve{"passivity.csv", fmt::format("1:{}", field), look, title, field, ""};
+  };
+  return std::string(R"gnuplot(set logscale xy
 set format "10^{%T}"
 set xlabel "jitter / cell"
 set ylabel "|change of k| / k"
 set xrange [3e-16:3e-6]
 set yrange [3e-17:10]
 of(name, column) = strcol(1) eq name ? column : 1/0
-plot 1e-7 + 20 * x with lines dt 2 lc rgb "#888888" title "bound", \
-     "jitter.csv" skip 1 using 2:(of("simple cubic", $3)) with points pt 7 lc rgb "#1f5fa8" title "simple cubic", \
-     "jitter.csv" skip 1 using 2:(of("BCC", $3)) with points pt 5 ps 0.8 lc rgb "#1f5fa8" title "BCC", \
-     "jitter.csv" skip 1 using 2:(of("FCC", $3)) with points pt 9 lc rgb "#1f5fa8" title "FCC", \
-     "jitter.csv" skip 1 using 2:(of("simple cubic", $4)) with points pt 6 lc rgb "#c0504d" title "YADE, simple cubic", \
-     "jitter.csv" skip 1 using 2:(of("BCC", $4)) with points pt 4 ps 0.8 lc rgb "#c0504d" title "YADE, BCC", \
-     "jitter.csv" skip 1 using 2:(of("FCC", $4)) with points pt 8 lc rgb "#c0504d" title "YADE, FCC"
-set xlabel "size ratio"
+)gnuplot") +
+         plot(jitter_csv(rows), "plot 1e-7 + 20 * x with lines dt 2 lc rgb \"#888888\" title \"bound\"", jitters) +
+         R"gnuplot(set xlabel "size ratio"
 set ylabel "share"
 set format x "%g"
 set xrange [0.8:25]
 set xtics (1, 5, 20)
-plot "passivity.csv" skip 1 using 1:2 with linespoints pt 7 lc rgb "#1f5fa8" title "asymmetry", \
-     "passivity.csv" skip 1 using 1:3 with linespoints pt 5 ps 0.8 lc rgb "#1f5fa8" title "negative eigenvalue", \
-     "passivity.csv" skip 1 using 1:4 with linespoints pt 6 lc rgb "#c0504d" title "YADE, asymmetry", \
-     "passivity.csv" skip 1 using 1:5 with linespoints pt 4 ps 0.8 lc rgb "#c0504d" title "YADE, negative eigenvalue", \
-     "passivity.csv" skip 1 using 1:6 with linespoints pt 9 lc rgb "#4f8f4f" title "energy balance"
-)gnuplot";
+)gnuplot" +
+         plot(passivity_csv(rows), "",
+              {against_ratio(2, "linespoints pt 7 lc rgb \"#1f5fa8\"", "asymmetry"),
+               against_ratio(3, "linespoints pt 5 ps 0.8 lc rgb \"#1f5fa8\"", "negative eigenvalue"),
+               against_ratio(4, "linespoints pt 6 lc rgb \"#c0504d\"", "YADE, asymmetry"),
+               against_ratio(5, "linespoints pt 4 ps 0.8 lc rgb \"#c0504d\"", "YADE, negative eigenvalue"),
+               against_ratio(6, "linespoints pt 9 lc rgb \"#4f8f4f\"", "energy balance")});
+}
 
 } // namespace studies

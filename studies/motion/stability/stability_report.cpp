@@ -20,25 +20,37 @@ nearly coincide), *raised* to 1e-6 of the median conductance (no fluid area), *r
 /// What follows about a group's own measures.
 std::string about(const std::string& group) {
   if (group == "Jittered lattices" || group == "A narrow gap at a wall")
-    return "*Off* is the jitter over the cell, or the gap over the radius; k is held against that of the exact lattice, "
+    return "*Off* is the jitter over the cell, or the gap over the radius; k is held against that of the exact "
+           "lattice, "
            "of the sphere that touches.";
   if (group == "To be refused")
     return "`pfv permeability` is run on each.";
   if (group == "A flip of the triangulation")
-    return "A sphere moves across the place where its neighbours change partners, found to 1e-13 of its radius. A jump is "
-           "the largest change of the force on a sphere, over the rms force. Of the original, the spheres nearest to the "
+    return "A sphere moves across the place where its neighbours change partners, found to 1e-13 of its radius. A jump "
+           "is "
+           "the largest change of the force on a sphere, over the rms force. Of the original, the spheres nearest to "
+           "the "
            "corners of the box are left out, as its forces on four of them are wrong.";
   if (group == "Renewal of the pores")
     return "Grains part along given velocities until pores are measured anew in place (0.01 of the mean radius) or "
            "triangulated anew (0.05); forces on the old pores and on the new ones, all grains in the same places.";
+  if (group == "Steady motion")
+    return "Velocities of 150 spheres that are nearly the same for 400 steps: forces of a fluid that starts every step "
+           "from "
+           "the last pressures and their changes, to a tolerance of 1e-6, against those of one without a past.";
   if (group == "Explicit steps")
-    return "150 grains in a fluid of 300 Pa s; below, the limit is that of contacts and fluid together, above, that of the "
-           "fluid. At most 3000 and 20 000 steps. The original runs its own oedometer on the same grains for 3000 steps "
-           "of the same length, after 2000 dry ones.";
+    return "150 grains in a fluid of 300 Pa s; below, the limit is that of contacts and fluid together, above, that of "
+           "the "
+           "fluid. At most 3000 and 20 000 steps. The original runs its own oedometer on the same grains for 3000 "
+           "steps "
+           "of a share of that limit, after 2000 dry ones; its own limit, which it does not tell, is another one, as "
+           "its "
+           "throats at walls conduct less.";
   if (group == "Semi-implicit steps")
     return "Settlement after 10 000 times the explicit limit.";
   if (group == "Resistance to motion")
-    return "The matrix of forces against velocities of 60 spheres. The fluid only takes energy when it is symmetric and "
+    return "The matrix of forces against velocities of 60 spheres. The fluid only takes energy when it is symmetric "
+           "and "
            "no eigenvalue is negative. Of the original, spheres nearest to the corners are left out.";
   if (group == "Energy of a coupled run")
     return "4000 steps of 150 grains under a piston, at a tenth of the step that would be taken.";
@@ -68,19 +80,21 @@ ExperimentReport stability_report(const std::vector<TrialRow>& rows) {
   ExperimentReport report;
   report.holds = all_hold(expectations);
   Document& page = report.page = page_of(stability_experiment, expectations);
-  page.add(Figure{"Left: change of k of a lattice by a jitter, against the exact lattice; of the original, against its "
-                  "own k at the largest jitter. Values below 1e-16 are drawn there. Right: how the resistance to motion "
-                  "fails to be symmetric, what negative eigenvalues it has, and what the energy balance misses.",
-                  "figure.svg"});
+  page.add(
+      Figure{"Left: change of k of a lattice by a jitter, against the exact lattice; of the original, against its "
+             "own k at the largest jitter. Values below 1e-16 are drawn there. Right: how the resistance to motion "
+             "fails to be symmetric, what negative eigenvalues it has, and what the energy balance misses.",
+             "figure.svg"});
   page.add(Paragraph{how_to_read});
   page.add(Paragraph{
       reference::yade::missing_program()
           ? "The original implementation, FlowEngine of YADE, is not installed here (Debian package yade), so that no "
             "case says what it does."
-          : fmt::format("The original implementation, FlowEngine of {}, is asked the same, each time in a process of its "
-                        "own. Its rule at walls is another one, so k is not to be compared: what counts is whether there "
-                        "is an answer, and whether that is finite, balanced and steady.",
-                        reference::yade::program_version())});
+          : fmt::format(
+                "The original implementation, FlowEngine of {}, is asked the same, each time in a process of its "
+                "own. Its rule at walls is another one, so k is not to be compared: what counts is whether there "
+                "is an answer, and whether that is finite, balanced and steady.",
+                reference::yade::program_version())});
   for (const std::string& group : groups_of(rows)) {
     page.add(Heading{group});
     if (const std::string text = about(group); !text.empty())
@@ -97,7 +111,7 @@ ExperimentReport stability_report(const std::vector<TrialRow>& rows) {
                   {"outcomes.csv", outcomes_csv(rows)},
                   {"jitter.csv", jitter_csv(rows)},
                   {"passivity.csv", passivity_csv(rows)},
-                  {"figure.gp", figure_script(900, 420, 2, stability_figure)}};
+                  {"figure.gp", figure_script(900, 420, 2, stability_figure(rows))}};
   report.summary = to_plain(expectation_table(expectations));
   return report;
 }

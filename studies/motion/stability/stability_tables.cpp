@@ -17,25 +17,28 @@ bool bounded(const Measure& measure) {
   return std::isfinite(measure.least) || std::isfinite(measure.most);
 }
 
+/// Of sizes, which are never below zero, only the upper bound is worth a word.
+bool from_zero(const Measure& measure) {
+  return measure.least == 0 || !std::isfinite(measure.least);
+}
+
 std::string bound(const Measure& measure) {
   if (measure.least == measure.most)
     return number(measure.least);
   if (!std::isfinite(measure.most))
     return "at least " + number(measure.least);
-  if (!std::isfinite(measure.least) || (measure.least == 0 && measure.most < 1e300))
-    return "at most " + number(measure.most);
-  return measure.most < 1e300 ? fmt::format("{} to {}", number(measure.least), number(measure.most))
-                              : "finite, at least " + number(measure.least);
+  return from_zero(measure) ? "at most " + number(measure.most)
+                            : fmt::format("{} to {}", number(measure.least), number(measure.most));
 }
 
 /// How far a value is towards a bound, or out of it: the larger, the worse.
 double badness(const Measure& measure) {
   if (std::isnan(measure.value))
     return Measure::none;
-  if (!std::isfinite(measure.most) || measure.most >= 1e300)
+  if (!std::isfinite(measure.most))
     return measure.least - measure.value;
-  return std::isfinite(measure.least) ? std::max(measure.least - measure.value, measure.value - measure.most)
-                                      : measure.value - measure.most;
+  return from_zero(measure) ? measure.value - measure.most
+                            : std::max(measure.least - measure.value, measure.value - measure.most);
 }
 
 /// The measures of the first case that has some: all cases of a group have the same.
@@ -57,8 +60,8 @@ std::vector<Expectation> expectations_of(const std::vector<TrialRow>& group) {
   const std::string& name = group.front().group;
   const auto finished = std::ranges::count(group, done, &TrialRow::outcome);
   const auto size = static_cast<std::ptrdiff_t>(group.size());
-  std::vector<Expectation> list{{name + ": cases that end without a failure", fmt::format("{} of {}", finished, size),
-                                 "all", finished == size}};
+  std::vector<Expectation> list{
+      {name + ": cases that end without a failure", fmt::format("{} of {}", finished, size), "all", finished == size}};
   const auto columns = measures_of(group);
   for (std::size_t m = 0; m < columns.size(); ++m) {
     if (!bounded(columns[m]))
@@ -84,7 +87,8 @@ Table trial_table(const std::vector<TrialRow>& group) {
   if (outcomes)
     table.columns.push_back({"outcome"});
   for (const Measure& measure : columns)
-    table.columns.push_back({bounded(measure) ? fmt::format("{} ({})", measure.what, bound(measure)) : measure.what, true});
+    table.columns.push_back(
+        {bounded(measure) ? fmt::format("{} ({})", measure.what, bound(measure)) : measure.what, true});
   if (remarks)
     table.columns.push_back({"remarks"});
   if (theirs)

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "pfv/problem/case.hpp"
 #include "pfv/flow/steady_flow.hpp"
+#include "pfv/problem/case.hpp"
 #include "studies/motion/stability/trial.hpp"
 
 namespace studies {

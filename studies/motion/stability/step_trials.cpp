@@ -25,7 +25,7 @@ Scene explicit_box(double ratio) {
 
 /// How an explicit run goes.
 struct Course {
-  double highest = 0; // kinetic energy over the work of the load so far
+  double highest = 0;  // kinetic energy over the work of the load so far
   std::string message; // of the end, when it was stopped
 };
 
@@ -53,7 +53,8 @@ bool names_the_limit(const std::string& message) {
 Measured below(double ratio) {
   const Scene scene = explicit_box(ratio);
   const Course course = run(scene, 0.97 * Simulation(scene).limits().joint(), steps);
-  return {{{"kinetic energy / work of the load, highest", course.highest, 0, 1},
+  // At most all of the work, but for what the energy balance may miss.
+  return {{{"kinetic energy / work of the load, highest", course.highest, 0, 1.001},
            {"stopped", course.message.empty() ? 0.0 : 1.0, 0, 0}},
           course.message};
 }
@@ -94,15 +95,15 @@ Measured far_beyond(double times, double most) {
 
 std::vector<Trial> explicit_trials() {
   std::vector<Trial> trials;
-  const auto add = [&](double ratio, const char* name, auto measured, double share) {
+  const auto add = [&](double ratio, const char* name, auto measured, std::vector<double> shares) {
     trials.push_back({"Explicit steps", fmt::format("size ratio {:g}, {}", ratio, name), ratio == 1.35,
                       [=] { return measured(ratio); },
-                      [=] { return original_steps(drained_box(grains, ratio, viscosity), share); }});
+                      [=] { return original_steps(drained_box(grains, ratio, viscosity), shares); }});
   };
   for (const double ratio : {1.35, 5.0}) {
-    add(ratio, "0.97 of the limit", below, 0.97);
-    add(ratio, "1.03 times the limit", [](double of) { return above(of, 1.03); }, 1.03);
-    add(ratio, "3 times the limit", [](double of) { return above(of, 3); }, 3);
+    add(ratio, "0.97 of the limit", below, {0.1, 0.3, 0.97});
+    add(ratio, "1.03 times the limit", [](double of) { return above(of, 1.03); }, {1.03});
+    add(ratio, "3 times the limit", [](double of) { return above(of, 3); }, {3});
   }
   return trials;
 }
