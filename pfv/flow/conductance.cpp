@@ -10,6 +10,8 @@ namespace {
 
 /// Of the mean fluid area. What is measured on slivers of 1e-12, as between spheres 1e-13 off a wall, is round-off.
 constexpr double no_area = 1e-10;
+/// Of a throat's fluid area: what is left of three spheres that cover the throat together, by round-off.
+constexpr double no_surface = 1e-12;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Hagen-Poiseuille in a round tube of a throat's section.
@@ -25,7 +27,8 @@ double conductance(const Rule& rule, double fluid_area, double void_volume, doub
   const double open = rule(fluid_area, void_volume, wetted_surface, length, viscosity);
   const double tube = -round_tube(fluid_area, length, viscosity);
   const double largest = std::max(std::abs(fluid_area), wetted_surface);
-  double value = std::min(void_volume, wetted_surface) > 0 ? open : tube;
+  const double surface = wetted_surface - no_surface * fluid_area;
+  double value = std::min(void_volume, surface) > 0 ? open : tube;
   value = fluid_area > 0 ? value : -infinite;
   value = length > 0 ? value : infinite;
   return largest > smallest_area ? value : 0;

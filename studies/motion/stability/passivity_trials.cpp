@@ -61,7 +61,7 @@ Measured balanced(double ratio) {
   }
   const double missing = account.accounted() - 1;
   return {{{"energy balance misses", missing, -1e-3, 1e-3},
-           {"taken by the fluid / work of the load", before / simulation.grains().energy.loads, 0.1, 1},
+           {"taken by the fluid / work of the load", before / simulation.grains().energy.loads, 0, 1},
            {"least taken in a step / most", least / most, -1e-9}},
           {},
           {ratio, std::abs(missing)}};

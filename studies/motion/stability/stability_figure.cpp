@@ -94,17 +94,17 @@ std::string plot(const std::string& csv, const std::string& first, const std::ve
 }
 
 constexpr const char* ours[] = {"points pt 7 lc rgb \"#1f5fa8\"", "points pt 5 ps 0.8 lc rgb \"#1f5fa8\"",
-                                "points pt 9 lc rgb \"#1f5fa8\""};
+                                "points pt 9 lc rgb \"#1f5fa8\"", "points pt 13 lc rgb \"#1f5fa8\""};
 constexpr const char* original[] = {"points pt 6 lc rgb \"#c0504d\"", "points pt 4 ps 0.8 lc rgb \"#c0504d\"",
-                                    "points pt 8 lc rgb \"#c0504d\""};
+                                    "points pt 8 lc rgb \"#c0504d\"", "points pt 12 lc rgb \"#c0504d\""};
 
 } // namespace
 
 std::string stability_figure(const std::vector<TrialRow>& rows) {
   std::vector<Curve> jitters;
-  const char* const lattices[] = {"simple cubic", "BCC", "FCC"};
+  const char* const lattices[] = {"simple cubic", "BCC", "FCC", "nine spheres"};
   for (const std::size_t field : {3u, 4u})
-    for (std::size_t n = 0; n < 3; ++n)
+    for (std::size_t n = 0; n < std::size(lattices); ++n)
       jitters.push_back({"jitter.csv", fmt::format("2:(of(\"{}\", ${}))", lattices[n], field),
                          field == 3 ? ours[n] : original[n],
                          fmt::format("{}{}", field == 3 ? "" : "YADE, ", lattices[n]), field, lattices[n]});

@@ -95,15 +95,15 @@ Measured far_beyond(double times, double most) {
 
 std::vector<Trial> explicit_trials() {
   std::vector<Trial> trials;
-  const auto add = [&](double ratio, const char* name, auto measured, std::vector<double> shares) {
-    trials.push_back({"Explicit steps", fmt::format("size ratio {:g}, {}", ratio, name), ratio == 1.35,
+  const auto add = [&](const char* group, double ratio, const char* name, auto measured, std::vector<double> shares) {
+    trials.push_back({group, fmt::format("size ratio {:g}, {}", ratio, name), ratio == 1.35,
                       [=] { return measured(ratio); },
                       [=] { return original_steps(drained_box(grains, ratio, viscosity), shares); }});
   };
   for (const double ratio : {1.35, 5.0}) {
-    add(ratio, "0.97 of the limit", below, {0.1, 0.3, 0.97});
-    add(ratio, "1.03 times the limit", [](double of) { return above(of, 1.03); }, {1.03});
-    add(ratio, "3 times the limit", [](double of) { return above(of, 3); }, {3});
+    add("Explicit steps below the limit", ratio, "0.97 of it", below, {0.1, 0.3, 0.97});
+    add("Explicit steps above the limit", ratio, "1.03 times", [](double of) { return above(of, 1.03); }, {1.03});
+    add("Explicit steps above the limit", ratio, "3 times", [](double of) { return above(of, 3); }, {3});
   }
   return trials;
 }
