@@ -111,11 +111,14 @@ std::string stability_figure(const std::vector<TrialRow>& rows) {
   const auto against_ratio = [](std::size_t field, const char* look, const char* title) {
     return Curve{"passivity.csv", fmt::format("1:{}", field), look, title, field, ""};
   };
-  return std::string(R"gnuplot(set logscale xy
+  return std::string(R"gnuplot(set bmargin 10
+set key at graph 0.5, graph -0.27 maxcols 2 maxrows 5 width -3
+set logscale xy
 set format "10^{%T}"
 set xlabel "jitter / cell"
 set ylabel "|change of k| / k"
 set xrange [3e-16:3e-6]
+set xtics 1e-15, 1e3
 set yrange [3e-17:10]
 of(name, column) = strcol(1) eq name ? column : 1/0
 )gnuplot") +

@@ -111,7 +111,7 @@ ExperimentReport stability_report(const std::vector<TrialRow>& rows) {
                   {"outcomes.csv", outcomes_csv(rows)},
                   {"jitter.csv", jitter_csv(rows)},
                   {"passivity.csv", passivity_csv(rows)},
-                  {"figure.gp", figure_script(900, 420, 2, stability_figure(rows))}};
+                  {"figure.gp", figure_script(940, 470, 2, stability_figure(rows))}};
   report.summary = to_plain(expectation_table(expectations));
   return report;
 }

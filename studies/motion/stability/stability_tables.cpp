@@ -10,7 +10,7 @@ namespace studies {
 namespace {
 
 std::string number(double value) {
-  return std::isnan(value) ? "not finite" : fmt::format("{:.3g}", value);
+  return std::isnan(value) ? "not finite" : fmt::format("{:.4g}", value);
 }
 
 bool bounded(const Measure& measure) {
