@@ -74,6 +74,16 @@ std::vector<char*> pointers(const std::vector<std::string>& strings) {
   return result;
 }
 
+/// A group of its own that dies with the parent.
+void become_child(pid_t parent, rlim_t memory) {
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  const rlimit data{memory, memory};
+  setrlimit(RLIMIT_DATA, &data);
+  if (getppid() != parent) // it died before
+    _exit(127);
+}
+
 /// What the child does between fork and exec: only async-signal-safe calls, no allocation, as another thread of the
 /// parent may have held a lock.
 struct Launch {
@@ -85,12 +95,7 @@ struct Launch {
   rlim_t memory; // bytes
 
   [[noreturn]] void run() const {
-    setpgid(0, 0);
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    const rlimit data{memory, memory};
-    setrlimit(RLIMIT_DATA, &data);
-    if (getppid() != parent) // it died before the line above
-      _exit(127);
+    become_child(parent, memory);
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, nullptr);
@@ -125,61 +130,9 @@ double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-} // namespace
-
-ChildResult run_child(const std::vector<std::string>& arguments, const ChildOptions& options) {
-  if (arguments.empty())
-    fail(EINVAL, "no program to run");
-  const std::string cannot = fmt::format("cannot run '{}'", arguments.front());
-  const auto environment = environment_with(options.environment);
-  const auto argument_pointers = pointers(arguments);
-  const auto environment_pointers = pointers(environment);
-  const std::string folder = options.working_folder.string();
-
-  rlimit own{};
-  getrlimit(RLIMIT_DATA, &own);
-  const rlim_t memory = std::min(own.rlim_max, options.memory_limit.value_or(own.rlim_cur));
-
-  const std::string log = options.log.empty() ? "/dev/null" : options.log.string();
-  Descriptor input(open("/dev/null", O_RDONLY | O_CLOEXEC));
-  Descriptor output(open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-  if (input.value() < 0 || output.value() < 0)
-    fail(errno, fmt::format("{}: cannot write its log '{}'", cannot, log));
-
-  // Closed by a successful exec; carries errno otherwise.
-  std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0)
-    fail(errno, cannot);
-  Descriptor errors_in(ends[0]);
-  Descriptor errors_out(ends[1]);
-
-  const Launch launch{argument_pointers.data(),
-                      environment_pointers.data(),
-                      folder.empty() ? nullptr : folder.c_str(),
-                      input.value(),
-                      output.value(),
-                      errors_out.value(),
-                      getpid(),
-                      memory};
-  const auto start = Wall::now();
-  const pid_t child = fork();
-  if (child < 0)
-    fail(errno, cannot);
-  if (child == 0)
-    launch.run();
-  setpgid(child, child); // also here, so that the group exists whichever runs first
-  errors_out.close();
-
-  int exec_error = 0;
-  ssize_t got = 0;
-  while ((got = read(errors_in.value(), &exec_error, sizeof exec_error)) < 0 && errno == EINTR)
-    ;
+/// Waits for the leader of a process group, ends what is left of the group and tells how it went.
+ChildResult wait_for(pid_t child, Wall::time_point start, const ChildOptions& options, const std::string& cannot) {
   int status = 0;
-  if (got > 0) {
-    waitpid(child, &status, 0);
-    fail(exec_error, cannot);
-  }
-
   ChildResult result;
   Descriptor pidfd(static_cast<int>(syscall(SYS_pidfd_open, child, 0)));
   if (pidfd.value() < 0) {
@@ -205,6 +158,101 @@ ChildResult run_child(const std::vector<std::string>& arguments, const ChildOpti
   result.peak_memory_bytes = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
   result.wall_seconds = seconds_since(start);
   return result;
+}
+
+rlim_t memory_of(const ChildOptions& options) {
+  rlimit own{};
+  getrlimit(RLIMIT_DATA, &own);
+  return std::min(own.rlim_max, options.memory_limit.value_or(own.rlim_cur));
+}
+
+/// Where a child's output goes.
+int open_log(const ChildOptions& options) {
+  const std::string log = options.log.empty() ? "/dev/null" : options.log.string();
+  return open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+}
+
+} // namespace
+
+ChildResult run_child(const std::vector<std::string>& arguments, const ChildOptions& options) {
+  if (arguments.empty())
+    fail(EINVAL, "no program to run");
+  const std::string cannot = fmt::format("cannot run '{}'", arguments.front());
+  const auto environment = environment_with(options.environment);
+  const auto argument_pointers = pointers(arguments);
+  const auto environment_pointers = pointers(environment);
+  const std::string folder = options.working_folder.string();
+
+  Descriptor input(open("/dev/null", O_RDONLY | O_CLOEXEC));
+  Descriptor output(open_log(options));
+  if (input.value() < 0 || output.value() < 0)
+    fail(errno, fmt::format("{}: cannot write its log '{}'", cannot, options.log.string()));
+
+  // Closed by a successful exec; carries errno otherwise.
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0)
+    fail(errno, cannot);
+  Descriptor errors_in(ends[0]);
+  Descriptor errors_out(ends[1]);
+
+  const Launch launch{argument_pointers.data(),
+                      environment_pointers.data(),
+                      folder.empty() ? nullptr : folder.c_str(),
+                      input.value(),
+                      output.value(),
+                      errors_out.value(),
+                      getpid(),
+                      memory_of(options)};
+  const auto start = Wall::now();
+  const pid_t child = fork();
+  if (child < 0)
+    fail(errno, cannot);
+  if (child == 0)
+    launch.run();
+  setpgid(child, child); // also here, so that the group exists whichever runs first
+  errors_out.close();
+
+  int exec_error = 0;
+  ssize_t got = 0;
+  while ((got = read(errors_in.value(), &exec_error, sizeof exec_error)) < 0 && errno == EINTR)
+    ;
+  int status = 0;
+  if (got > 0) {
+    waitpid(child, &status, 0);
+    fail(exec_error, cannot);
+  }
+
+  return wait_for(child, start, options, cannot);
+}
+
+ChildResult run_in_child(const std::function<int()>& work, const ChildOptions& options) {
+  const std::string cannot = "cannot start a process";
+  Descriptor output(open_log(options));
+  if (output.value() < 0)
+    fail(errno, fmt::format("{}: cannot write its log '{}'", cannot, options.log.string()));
+  const rlim_t memory = memory_of(options);
+  const pid_t parent = getpid();
+  const auto start = Wall::now();
+  const pid_t child = fork();
+  if (child < 0)
+    fail(errno, cannot);
+  if (child == 0) {
+    become_child(parent, memory);
+    int code = 127;
+    if (dup2(output.value(), STDOUT_FILENO) >= 0 && dup2(output.value(), STDERR_FILENO) >= 0) {
+      for (const auto& [name, value] : options.environment)
+        setenv(name.c_str(), value.c_str(), 1);
+      try {
+        code = work();
+      } catch (const std::exception& error) {
+        [[maybe_unused]] const auto written = write(STDERR_FILENO, error.what(), std::strlen(error.what()));
+        code = 1;
+      }
+    }
+    _exit(code); // what the parent had buffered is for the parent to write
+  }
+  setpgid(child, child);
+  return wait_for(child, start, options, cannot);
 }
 
 std::string ChildResult::how_it_ended() const {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -33,6 +34,11 @@ struct ChildResult {
 /// What is left of the group is killed when it ends, and the program when the calling thread dies. Throws
 /// std::system_error when it cannot be started.
 ChildResult run_child(const std::vector<std::string>& arguments, const ChildOptions& options = {});
+
+/// The same with a function of this program instead of another one, for what may crash: the child is a copy of this
+/// process, ends with what the function returns, and leaves its results in files. An exception is exit code 1, its text
+/// the end of the log. The working folder is this one's. Only for a process that has no other threads.
+ChildResult run_in_child(const std::function<int()>& work, const ChildOptions& options = {});
 
 /// The last lines of a log, on one line, for a message.
 std::string last_lines(const std::filesystem::path& log, std::size_t lines = 3);

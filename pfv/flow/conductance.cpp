@@ -8,7 +8,10 @@
 namespace pfv {
 namespace {
 
-constexpr double no_area = 1e-12; // of the mean fluid area
+/// Of the mean fluid area. What is measured on slivers of 1e-12, as between spheres 1e-13 off a wall, is round-off.
+constexpr double no_area = 1e-10;
+/// Of a throat's fluid area: what is left of three spheres that cover the throat together, by round-off.
+constexpr double no_surface = 1e-12;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Hagen-Poiseuille in a round tube of a throat's section.
@@ -23,7 +26,8 @@ double conductance(const Rule& rule, const ThroatShape& throat, double viscosity
   const double open = rule(throat, viscosity);
   const double tube = -round_tube(throat.fluid_area, throat.length, viscosity);
   const double largest = std::max(std::abs(throat.fluid_area), throat.wetted_surface);
-  double value = std::min(throat.void_volume, throat.wetted_surface) > 0 ? open : tube;
+  const double surface = throat.wetted_surface - no_surface * throat.fluid_area;
+  double value = std::min(throat.void_volume, surface) > 0 ? open : tube;
   value = throat.fluid_area > 0 ? value : -infinite;
   value = throat.length > 0 ? value : infinite;
   return largest > smallest_area ? value : 0;

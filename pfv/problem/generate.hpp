@@ -23,6 +23,10 @@ Packing lattice_packing(Lattice lattice, double solid_fraction, int cells, doubl
 /// `size` (m): r = size / (2 + 4/sqrt(3)). The first row of Table 1 of Catalano et al. 2011.
 Packing nine_spheres(double size = 1.0);
 
+/// Every coordinate moved by up to `amplitude` (m) either way, but for those that would reach a wall: what breaks the
+/// ties of a lattice. The same on every machine.
+Packing jittered(Packing packing, double amplitude);
+
 struct RandomPacking {
   int spheres = 30;
   double solid_fraction = 0.5; // 0 < phi <= 0.6

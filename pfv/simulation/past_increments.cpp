@@ -5,6 +5,13 @@
 #include <algorithm>
 
 namespace pfv {
+namespace {
+
+/// Of the solution: the image of a smaller increment, a difference of two residuals, is known to less than eight
+/// digits.
+constexpr double least_share = 1e-8;
+
+} // namespace
 
 void PastIncrements::improve(Eigen::VectorXd& solution, Eigen::VectorXd& residual) {
   start_ = solution;
@@ -19,7 +26,10 @@ void PastIncrements::improve(Eigen::VectorXd& solution, Eigen::VectorXd& residua
     work[i] = scale[i] * increment_[i].dot(residual);
   SmallMatrix energy = scale.asDiagonal() * energy_.topLeftCorner(count_, count_) * scale.asDiagonal();
   energy.diagonal().array() += 1e-13; // increments along the same line leave nothing of one another
-  const Small share = energy.llt().solve(work);
+  const Eigen::LLT<SmallMatrix> factor(energy);
+  if (factor.info() != Eigen::Success) // round-off: they say nothing
+    return;
+  const Small share = factor.solve(work);
   if (!share.allFinite())
     return;
   for (int i = 0; i < count_; ++i) {
@@ -31,7 +41,8 @@ void PastIncrements::improve(Eigen::VectorXd& solution, Eigen::VectorXd& residua
 void PastIncrements::remember(const Eigen::VectorXd& solution, const Eigen::VectorXd& residual) {
   increment_[next_] = solution - start_;
   image_[next_] = start_residual_ - residual;
-  if (!(increment_[next_].dot(image_[next_]) > 0)) {
+  const bool noise = increment_[next_].squaredNorm() <= least_share * least_share * solution.squaredNorm();
+  if (noise || !(increment_[next_].dot(image_[next_]) > 0)) {
     count_ = std::min(count_, next_); // nothing has changed, or not by a solution
     return;
   }

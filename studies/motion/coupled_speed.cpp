@@ -1,21 +1,14 @@
 #include "studies/motion/coupled_speed.hpp"
 
-#include "pfv/problem/error.hpp"
 #include "pfv/problem/generate.hpp"
-#include "pfv/problem/text.hpp"
 #include "pfv/simulation/relax.hpp"
 #include "pfv/simulation/simulation.hpp"
-#include "reference/temporary_folder.hpp"
 #include "reference/yade/program.hpp"
-#include "studies/runner/files.hpp"
+#include "studies/motion/yade_oedometer.hpp"
 
-#include <array>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace studies {
-
-extern const char* const yade_oedometer_py;
 
 namespace {
 
@@ -84,39 +77,21 @@ double advance(Simulation& simulation, std::size_t steps) {
   return (process_cpu_seconds() - start) / static_cast<double>(steps);
 }
 
-/// What is along z here is along y there.
-std::array<double, 3> turned(const Vec3& point) {
-  return {point.x(), point.z(), point.y()};
-}
-
 void their_turn(const Example& example, const Packing& packing, CoupledSpeed& speed) {
-  const reference::TemporaryFolder folder("yade");
-  nlohmann::json spheres = nlohmann::json::array();
-  for (const Sphere& sphere : packing.spheres) {
-    const auto [x, y, z] = turned(sphere.centre);
-    spheres.push_back({x, y, z, sphere.radius});
-  }
-  const auto lower = turned(packing.box.lower), upper = turned(packing.box.upper);
-  write_file(folder.path() / "question.json",
-             nlohmann::json{{"box", {lower[0], lower[1], lower[2], upper[0], upper[1], upper[2]}},
-                            {"spheres", spheres},
-                            {"young", example.young},
-                            {"tangential_ratio", example.tangential_ratio},
-                            {"friction", example.friction},
-                            {"density", example.density},
-                            {"stress", example.stress},
-                            {"load", example.load},
-                            {"viscosity", example.viscosity},
-                            {"step", example.step},
-                            {"steps", speed.steps},
-                            {"steps_at_rest", 2000}}
-                 .dump());
-  write_file(folder.path() / "oedometer.py", yade_oedometer_py);
-  reference::yade::run_script(folder.path(), "oedometer.py", wall_limit);
-  const auto reply = nlohmann::json::parse(read_text(folder.path() / "reply.json"));
-  speed.version = reply.at("version");
-  speed.theirs->cpu_seconds.push_back(reply.at("cpu_seconds"));
-  speed.their_settlement = reply.at("settlement");
+  const YadeOedometerReply reply = run_yade_oedometer(packing,
+                                                      {.young = example.young,
+                                                       .tangential_ratio = example.tangential_ratio,
+                                                       .friction = example.friction,
+                                                       .density = example.density,
+                                                       .stress = example.stress,
+                                                       .load = example.load,
+                                                       .viscosity = example.viscosity,
+                                                       .step = example.step,
+                                                       .steps = speed.steps},
+                                                      wall_limit);
+  speed.version = reply.version;
+  speed.theirs->cpu_seconds.push_back(reply.cpu_seconds);
+  speed.their_settlement = reply.settlement;
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "studies/motion/consolidation.hpp"
 #include "studies/motion/immersed_settling.hpp"
 #include "studies/motion/speed.hpp"
+#include "studies/motion/stability/stability.hpp"
 #include "studies/motion/uplift.hpp"
 #include "studies/runner/build_info.hpp"
 #include "studies/runner/files.hpp"
@@ -19,7 +20,8 @@
 namespace studies {
 
 std::span<const Experiment> experiments() {
-  static constexpr std::array all{consolidation_experiment, settling_experiment, speed_experiment, uplift_experiment};
+  static constexpr std::array all{consolidation_experiment, settling_experiment, speed_experiment, stability_experiment,
+                                  uplift_experiment};
   return all;
 }
 

@@ -8,6 +8,16 @@ import time
 from yade import FlowEngine, config
 
 
+def fastest():
+    """Speed of the fastest grain, None when one's is no number."""
+    speeds = [body.state.vel.norm() for body in O.bodies if isinstance(body.shape, Sphere)]
+    return max(speeds) if all(math.isfinite(speed) for speed in speeds) else None
+
+
+def finite(value):
+    return value if math.isfinite(value) else None
+
+
 def main():
     with open("question.json") as file:
         question = json.load(file)
@@ -53,7 +63,8 @@ def main():
     reply = {
         "version": config.version,
         "cpu_seconds": cpu / question["steps"],
-        "settlement": height - O.bodies[walls[3]].state.pos[1],
+        "settlement": finite(height - O.bodies[walls[3]].state.pos[1]),
+        "fastest": fastest(),
         "cells": flow.nCells(),
     }
     with open("reply.json", "w") as file:

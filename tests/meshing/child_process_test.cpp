@@ -21,6 +21,7 @@ using meshing::ChildOptions;
 using meshing::ChildResult;
 using meshing::last_lines;
 using meshing::run_child;
+using meshing::run_in_child;
 
 /// Not counting a zombie, which an orphan stays until the machine's init looks at it.
 bool is_running(pid_t process) {
@@ -176,6 +177,32 @@ TEST_F(ChildProcess, LastLinesSkipsEmptyOnes) {
   EXPECT_EQ(last_lines(log()), "two | three | four");
   EXPECT_EQ(last_lines(log(), 1), "four");
   EXPECT_EQ(last_lines(folder_.path() / "none"), "");
+}
+
+TEST_F(ChildProcess, RunsAFunctionThatMayCrash) {
+  const auto file = folder_.path() / "result";
+  EXPECT_TRUE(run_in_child([&] {
+                std::ofstream(file) << "done";
+                return 0;
+              }).succeeded());
+  EXPECT_EQ(std::filesystem::file_size(file), 4u);
+  EXPECT_EQ(run_in_child([] { return 3; }).exit_code, 3);
+  const auto crashed = run_in_child([] { return std::raise(SIGKILL); });
+  EXPECT_EQ(crashed.signal, SIGKILL);
+  EXPECT_FALSE(crashed.timed_out);
+}
+
+TEST_F(ChildProcess, TellsWhatAFunctionThrewAndStopsOneThatDoesNotEnd) {
+  EXPECT_EQ(run_in_child([]() -> int { throw std::runtime_error("no such luck"); }, {.log = log()}).exit_code, 1);
+  EXPECT_EQ(last_lines(log()), "no such luck");
+  const auto late = run_in_child(
+      [] {
+        while (true)
+          pause();
+        return 0;
+      },
+      {.wall_limit = 0.1});
+  EXPECT_TRUE(late.timed_out);
 }
 
 } // namespace

@@ -63,7 +63,7 @@ TEST(Index, HasALineForEveryStudy) {
 
 TEST(Experiments, AreListedAndRefuseWhatTheyHaveNoUseFor) {
   const StudyOutput list = study({"list"});
-  for (const char* name : {"consolidation", "immersed_settling", "uplift"})
+  for (const char* name : {"consolidation", "immersed_settling", "stability", "uplift"})
     EXPECT_NE(list.out.find(name), std::string::npos) << name;
   const StudyOutput refused = study({"run", "uplift", "--only", "fake"});
   EXPECT_EQ(refused.exit_code, 2);

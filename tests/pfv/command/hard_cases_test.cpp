@@ -125,11 +125,12 @@ TEST(HardCases, WhatNoOneCanAnswerIsRefused) {
 }
 
 TEST(HardCases, AFlowWithoutAPressureIsRefused) {
-  const TemporaryFile file("closed.toml", "[packing]\nbox = [0, 0, 0, 1, 1, 1]\nspheres = [[0.5, 0.5, 0.5, 0.3]]\n"
-                                          "[faces]\nx_min = \"slip\"\n");
+  const TemporaryFile file("closed.toml", "[packing]\nbox = [[0, 0, 0], [1, 1, 1]]\n"
+                                          "spheres = [[0.5, 0.5, 0.5, 0.3]]\n[faces]\nx_min = \"slip\"\n");
   const auto result = run_program(std::string(PFV_PROGRAM) + " permeability " + file.path().string());
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_EQ(std::ranges::count(result.error, '\n'), 1) << result.error;
+  EXPECT_NE(result.error.find("pressure"), std::string::npos) << result.error;
 }
 
 } // namespace

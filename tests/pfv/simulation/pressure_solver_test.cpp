@@ -89,4 +89,22 @@ TEST(PressureSolver, GuessesWhatPastIncrementsMakeUp) {
   EXPECT_LT(error(dense, mixed, x), 2e-6);
 }
 
+// Increments are then round-off, of which a guess made pressures grow a thousandfold from solve to solve.
+TEST(PressureSolver, StaysAtTheSolutionWhenNothingChanges) {
+  const Coupled of(1e-3);
+  const Eigen::MatrixXd dense = of.dense();
+  PressureSolver solver;
+  solver.set(of.system.matrix, of.solid);
+  for (const double tolerance : {1e-4, 1e-6, 1e-10})
+    for (const double wobble : {0.0, 1e-12, 1e-9, 1e-7, 1e-5}) {
+      PastIncrements past;
+      Eigen::VectorXd x = Eigen::VectorXd::Zero(of.solid.rows());
+      for (int n = 1; n < 60; ++n) {
+        const Eigen::VectorXd right_side = of.right_side(0) + wobble * of.right_side(n);
+        solver.solve(right_side, tolerance, x, &past);
+        ASSERT_LT(error(dense, right_side, x), 3 * tolerance) << tolerance << ' ' << wobble << ' ' << n;
+      }
+    }
+}
+
 } // namespace

@@ -3,8 +3,8 @@
 #include "pfv/flow/steady_flow.hpp"
 #include "pfv/problem/error.hpp"
 #include "pfv/problem/generate.hpp"
+#include "pfv/simulation/resistance.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 using namespace pfv;
@@ -17,7 +17,6 @@ constexpr PeriodicAxes all_around{true, true, true};
 struct Periodical {
   PoreNetwork network;
   FlowSystem system;
-  std::unique_ptr<FlowSolver> solver = make_solver(Cholmod{});
 
   explicit Periodical(double ratio) {
     Clock clock;
@@ -28,33 +27,12 @@ struct Periodical {
     faces.fill(Periodic{});
     const std::array points{PressurePoint{{0.5, 0.5, 0.5}, 0}};
     system = assemble(network, conductances(network, HydraulicRadius{}, MirrorWalls{}, 1), faces, points);
-    solver->analyse(system.matrix);
-    solver->factor(system.matrix);
   }
 
   /// Smallest over largest eigenvalue of the symmetric part of what the fluid does against motion: forces by SolidFlux
   /// of the pressures that these rates of volume raise.
   double least_resistance(const SolidFlux& rates) const {
-    const SolidFlux forces = solid_flux(network, MirrorWalls{});
-    const auto motions = static_cast<Eigen::Index>(3 * (forces.bodies - 6));
-    Eigen::MatrixXd resistance(motions, motions);
-    for (Eigen::Index m = 0; m < motions; ++m) {
-      std::vector<Vec3> velocity(forces.bodies, Vec3::Zero()), force;
-      velocity[m / 3] = Vec3::Unit(m % 3);
-      std::vector<double> rate;
-      volume_rates(rates, velocity, rate);
-      Eigen::VectorXd right = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(system.unknowns())), pressure;
-      for (std::size_t i = 0; i < rate.size(); ++i)
-        if (system.unknown_of_pore[i] >= 0)
-          right[system.unknown_of_pore[i]] -= rate[i];
-      solver->solve(right, pressure);
-      pressure_forces(forces, pore_pressures(system, pressure), force);
-      for (Eigen::Index n = 0; n < motions; ++n)
-        resistance(n, m) = -force[n / 3][n % 3];
-    }
-    const Eigen::MatrixXd symmetric = 0.5 * (resistance + resistance.transpose());
-    const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric).eigenvalues();
-    return values.minCoeff() / values.maxCoeff();
+    return passivity(resistance(system, rates, solid_flux(network, MirrorWalls{}))).least;
   }
 };
 
