@@ -12,9 +12,9 @@ inline Packing packing_from(const std::string& file) {
   return read_packing(std::string(TEST_DATA) + "/" + file);
 }
 
-inline PoreNetwork network_of(const Packing& packing, const PeriodicAxes& periodic = {}) {
+inline PoreNetwork network_of(const Packing& packing, const PeriodicAxes& periodic = {}, bool openings = false) {
   Clock clock;
-  return build_pore_network(packing, periodic, clock);
+  return build_pore_network(packing, periodic, clock, openings);
 }
 
 /// Flow along an axis under a unit pressure drop, unit viscosity.

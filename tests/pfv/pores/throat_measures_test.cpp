@@ -1,6 +1,7 @@
 // The block form of the geometry against the one-by-one form, and both against what they must sum to.
 #include "pfv/pores/throat_measures.hpp"
 
+#include "pfv/pores/facet.hpp"
 #include "pfv/pores/pore_network.hpp"
 #include "pfv/pores/throat_planes.hpp"
 #include "pfv/problem/generate.hpp"
@@ -26,6 +27,31 @@ Packing grown(double growth, double ratio) {
   for (auto& sphere : packing.spheres)
     sphere.radius *= growth;
   return packing;
+}
+
+TEST(ThroatMeasures, HaveOpeningsWhenAskedTheSameInBlocks) {
+  const PoreNetwork without = network_of(packing_from("g200.txt"));
+  EXPECT_TRUE(without.throats.area.empty() && without.throats.gap.empty());
+  for (const Packing& packing : {packing_from("g200.txt"), grown(1.1, 1.5), grown(1, 20)}) {
+    const PoreNetwork network = network_of(packing, {}, true);
+    const double side = packing.box.size().x();
+    std::size_t touching = 0;
+    for (std::size_t t = 0; t < network.throats.size(); ++t) {
+      const auto corners = network.corners(t);
+      EXPECT_NEAR(network.throats.area[t], one_by_one(network, t).plane.area, 1e-13 * side * side);
+      EXPECT_NEAR(network.throats.gap[t], smallest_gap(network.walls, network.sites.spheres, corners), 1e-14);
+      touching += network.throats.gap[t] == 0;
+    }
+    EXPECT_LT(touching, network.throats.size());
+  }
+}
+
+TEST(ThroatMeasures, HaveTheSmallestGapToAnotherSphereOrItsMirrorImage) {
+  const Box box{Vec3(0, 0, 0), Vec3(10, 10, 10)};
+  const std::vector<Sphere> spheres{{Vec3(2, 2, 2), 1}, {Vec3(5, 2, 2), 1}, {Vec3(2, 6, 2), 2}};
+  EXPECT_DOUBLE_EQ(smallest_gap(box, spheres, {0, 1, 2}), .25);                          // 4 - 1 - 2 of 4
+  EXPECT_DOUBLE_EQ(smallest_gap(box, spheres, {0, 1, wall_vertex(Face::y_min)}), 1. / 3); // 3 - 2 of 3
+  EXPECT_DOUBLE_EQ(smallest_gap(box, spheres, {1, 2, wall_vertex(Face::z_min)}), 0);      // the third touches it
 }
 
 TEST(ThroatMeasures, AreTheSameInBlocks) {
