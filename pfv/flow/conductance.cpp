@@ -45,8 +45,8 @@ ThroatShape shape(const PoreNetwork::Throats& throats, std::size_t t, double wet
 }
 
 template <typename Rule>
-void fill_interior(const Rule& rule, const PoreNetwork::Throats& throats, double viscosity, double smallest_area,
-                   double* __restrict__ values) {
+PFV_VECTORISED void fill_interior(const Rule& rule, const PoreNetwork::Throats& throats, double viscosity,
+                                  double smallest_area, double* __restrict__ values) {
   for (std::size_t t = 0; t < throats.interior; ++t) {
     const auto& wetted = throats.wetted_surface[t];
     values[t] = conductance(rule, shape<Rule>(throats, t, wetted[0] + wetted[1] + wetted[2]), viscosity, smallest_area);

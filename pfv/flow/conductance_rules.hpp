@@ -1,5 +1,7 @@
 #pragma once
 
+#include "pfv/pores/lanes.hpp"
+
 #include <cmath>
 #include <string_view>
 #include <variant>
@@ -77,7 +79,7 @@ struct Calibrated {
   double operator()(const ThroatShape& throat, double viscosity) const {
     const double s = throat.openness;
     const double power = length * s - gap * std::sqrt(throat.gap);
-    const double factor = std::exp(power * std::log(throat.length / throat.hydraulic_radius()) - openness * s * s);
+    const double factor = lanes::exp(power * lanes::log(throat.length / throat.hydraulic_radius()) - openness * s * s);
     return factor * HydraulicRadius{alpha}(throat, viscosity);
   }
 };

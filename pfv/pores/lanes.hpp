@@ -1,6 +1,8 @@
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 /// A function whose loops over lanes are compiled for several instruction sets, the best one chosen when the program
@@ -41,6 +43,54 @@ PFV_INLINE double atan2(double y, double x) {
   angle = across > along ? std::numbers::pi / 2 - angle : angle;
   angle = x < 0 ? std::numbers::pi - angle : angle;
   return y < 0 ? -angle : angle;
+}
+
+/// Natural logarithm of a positive normal number as std::log gives it, to 3e-16 of the larger of it and 1: the exponent
+/// by its bits, the logarithm of what is left, between sqrt(1/2) and sqrt(2), by the series of 2 artanh.
+PFV_INLINE double log(double x) {
+  constexpr std::uint64_t half_root = 0x3fe6a09e667f3bcd; // bits of sqrt(1/2)
+  constexpr double offset = 0x1p52 + 0x1p11;              // makes a double of twelve bits with a sign
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const std::uint64_t above = bits - half_root;
+  const double rest = std::bit_cast<double>(bits - (above & 0xfff0000000000000));
+  const double exponent = std::bit_cast<double>(((above >> 52) ^ 0x800) | 0x4330000000000000) - offset;
+  const double f = (rest - 1) / (rest + 1), z = f * f;
+  double p = 1.0 / 23;
+  p = p * z + 1.0 / 21;
+  p = p * z + 1.0 / 19;
+  p = p * z + 1.0 / 17;
+  p = p * z + 1.0 / 15;
+  p = p * z + 1.0 / 13;
+  p = p * z + 1.0 / 11;
+  p = p * z + 1.0 / 9;
+  p = p * z + 1.0 / 7;
+  p = p * z + 1.0 / 5;
+  p = p * z + 1.0 / 3;
+  return exponent * std::numbers::ln2 + 2 * (f + f * z * p);
+}
+
+/// Exponential as std::exp gives it, to 2e-15 of itself, between -700 and 700: a power of two by its bits, the rest,
+/// below ln(2) / 2, by its series.
+PFV_INLINE double exp(double x) {
+  constexpr double to_integer = 0x1.8p52; // adding it rounds to one, in the last bits
+  constexpr double ln2_head = 0x1.62e42feep-1, ln2_tail = 0x1.a39ef35793c76p-33;
+  const double shifted = x * std::numbers::log2e + to_integer, exponent = shifted - to_integer;
+  const double r = (x - exponent * ln2_head) - exponent * ln2_tail;
+  double p = 1.0 / 6227020800;
+  p = p * r + 1.0 / 479001600;
+  p = p * r + 1.0 / 39916800;
+  p = p * r + 1.0 / 3628800;
+  p = p * r + 1.0 / 362880;
+  p = p * r + 1.0 / 40320;
+  p = p * r + 1.0 / 5040;
+  p = p * r + 1.0 / 720;
+  p = p * r + 1.0 / 120;
+  p = p * r + 1.0 / 24;
+  p = p * r + 1.0 / 6;
+  p = p * r + 0.5;
+  p = p * r + 1;
+  p = p * r + 1;
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(p) + (std::bit_cast<std::uint64_t>(shifted) << 52));
 }
 
 /// A vector of which each lane holds one.
