@@ -45,8 +45,10 @@ int run_command(RunOptions options) {
   if (is_effect_study(file))
     return run_effects_command(file, options.scope, options.settings, options.json);
   Study study = read_study(file);
-  study.budget.cpu_seconds = options.cpu_budget.value_or(study.budget.cpu_seconds);
-  study.budget.memory_bytes = options.memory_budget.value_or(study.budget.memory_bytes);
+  for (StudyCase& one : study.cases) {
+    one.budget.cpu_seconds = options.cpu_budget.value_or(one.budget.cpu_seconds);
+    one.budget.memory_bytes = options.memory_budget.value_or(one.budget.memory_bytes);
+  }
 
   fmt::print(stderr, "{}: {}\n", study.name, study.title);
   std::vector<Row> rows;
@@ -72,8 +74,8 @@ void add_run(CLI::App& app, Invocation& invocation) {
   command->add_option("--jobs", options->settings.jobs, "Runs at the same time; more than 1 disturbs the timings")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  command->add_option("--cpu-budget", options->cpu_budget, "CPU seconds a run may be expected to take");
-  command->add_option("--memory-budget", options->memory_budget, "Bytes a run may be expected to take");
+  command->add_option("--cpu-budget", options->cpu_budget, "CPU seconds a run of any case may be expected to take");
+  command->add_option("--memory-budget", options->memory_budget, "Bytes a run of any case may be expected to take");
   command->add_option("--work", options->settings.work.root, "Work folder, instead of the study's own");
   command->callback([options, &invocation] {
     options->settings.study_executable = invocation.executable;

@@ -26,6 +26,11 @@ void refuse_unknown(const Study& study, const std::vector<std::string>& wanted) 
           fmt::format("study {} does not ask method '{}'; it asks {}", study.name, name, fmt::join(names, ", ")));
 }
 
+const std::vector<double>& mesh_sizes(const StudyCase& one, const StudyMethod& method, bool quick) {
+  const auto own = one.mesh_sizes.find(method.name);
+  return quick ? method.quick_mesh_sizes : own == one.mesh_sizes.end() ? method.mesh_sizes : own->second;
+}
+
 } // namespace
 
 std::vector<PlannedRun> plan(const Study& study, const Scope& scope) {
@@ -40,7 +45,7 @@ std::vector<PlannedRun> plan(const Study& study, const Scope& scope) {
         runs.push_back({one.id, method.name, 1, method.ranks});
         continue;
       }
-      for (const double mesh_size : scope.quick ? method.quick_mesh_sizes : method.mesh_sizes)
+      for (const double mesh_size : mesh_sizes(one, method, scope.quick))
         runs.push_back({one.id, method.name, mesh_size, method.ranks});
     }
   }

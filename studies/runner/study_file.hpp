@@ -1,22 +1,15 @@
 #pragma once
 
+#include "studies/runner/budget.hpp"
 #include "studies/runner/compare.hpp"
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace studies {
-
-/// What one run may take. A run whose estimate is above it is not started.
-struct Budget {
-  double cpu_seconds = 300;
-  double memory_bytes = 4e9;  // estimates are right to a factor of 2: no process of a run gets more than twice this
-  double wall_seconds = 1800; // a run that takes longer is stopped and failed
-
-  bool operator==(const Budget&) const = default;
-};
 
 /// What the literature reports for a method on a case, printed beside ours.
 struct PublishedFigure {
@@ -35,7 +28,9 @@ struct StudyCase {
   std::vector<std::string> methods;       // of the study's, which to ask
   std::vector<std::string> quick_methods; // of those, which to ask in the quick plan
   std::vector<PublishedFigure> published;
-  std::string curve = {}; // on which curve it is a point, see Curve; empty: on none
+  std::string curve = {};                                     // on which curve it is a point, see Curve; empty: on none
+  Budget budget = {};                                         // of each of its runs
+  std::map<std::string, std::vector<double>> mesh_sizes = {}; // by method, coarse to fine: instead of the method's
 };
 
 struct StudyMethod {
@@ -70,7 +65,6 @@ struct Study {
   std::string reference;        // method all others are compared with
   std::string published_source; // of the published figures; empty without any
   Tolerance tolerance;
-  Budget budget;
   bool samples = false; // whether methods give pressures at PFV's pores and along lines, and fluxes through its throats
   std::optional<Scaling> scaling;
   std::optional<Curve> curve = {};

@@ -167,6 +167,7 @@ std::vector<Row> run_study(const Study& study, const Scope& scope, const RunSett
       cases.emplace(one.id, store_case(one, settings.work.cases(), digest_of_sources({"pfv/problem"})));
     }
     const StoredCase& stored = cases.at(planned.case_id);
+    const Budget& budget = case_of(study, planned.case_id).budget;
     const reference::Method& method = reference::find_method(planned.method);
     Row row = identity(study, planned, stored, method);
     const Row* before = newest_with_key(store.rows(), row.key);
@@ -179,11 +180,11 @@ std::vector<Row> run_study(const Study& study, const Scope& scope, const RunSett
         before = &store.rows().back();
       }
     }
-    if (before && (stands(*before, settings.retry_failed) || still_over(*before, study.budget))) {
+    if (before && (stands(*before, settings.retry_failed) || still_over(*before, budget))) {
       rows[i] = *before;
       continue;
     }
-    if (const auto reason = reason_not_to_run(method, stored.problem, study.budget, planned.ranks, row)) {
+    if (const auto reason = reason_not_to_run(method, stored.problem, budget, planned.ranks, row)) {
       row.status = *reason;
       row.started = now_utc();
       if (!before || before->status != row.status || before->message != row.message)
@@ -196,7 +197,7 @@ std::vector<Row> run_study(const Study& study, const Scope& scope, const RunSett
          planned,
          row,
          {settings.study_executable, stored.file, planned.method, planned.mesh_size, planned.ranks, study.samples,
-          study.budget.wall_seconds, 2 * study.budget.memory_bytes, answer_file(settings.work.answers(), row.key),
+          budget.wall_seconds, 2 * budget.memory_bytes, answer_file(settings.work.answers(), row.key),
           settings.work.logs() / (row.key + ".log"), settings.work.scratch() / row.key}});
   }
   onlooker.planned(runs.size() - tasks.size(), runs.size());

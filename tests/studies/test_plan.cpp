@@ -28,6 +28,17 @@ TEST(Plan, QuickHasItsOwnCasesAndMeshes) {
   EXPECT_EQ(plan(example_study(), {true, {}}), (std::vector<PlannedRun>{{"one", "exact", 4}, {"one", "exact", 2}}));
 }
 
+TEST(Plan, MeshSizesOfACaseStandInForTheMethods) {
+  studies::Study study = example_study();
+  study.cases.front().mesh_sizes["exact"] = {3, 1.5, 0.5};
+  EXPECT_EQ(plan(study, {}), (std::vector<PlannedRun>{{"one", "exact", 3},
+                                                      {"one", "exact", 1.5},
+                                                      {"one", "exact", 0.5},
+                                                      {"two", "exact", 2},
+                                                      {"two", "exact", 1}}));
+  EXPECT_EQ(plan(study, {true, {}}), plan(example_study(), {true, {}})); // which are not the quick ones
+}
+
 TEST(Plan, AMethodWithoutAMeshRunsOnce) {
   studies::Study study = example_study();
   study.methods.front().name = "closed_form";

@@ -161,6 +161,26 @@ TEST_F(Program, WhatIsOverBudgetIsNotRun) {
   EXPECT_EQ(rows().back().status, Status::answered);
 }
 
+TEST_F(Program, ACaseWithABudgetOfItsOwnLeavesThatOfTheOthers) {
+  write_study(with("quick = true", "budget = { cpu_seconds = 1e-9 }"));
+  EXPECT_EQ(run().exit_code, 0);
+  ASSERT_EQ(rows().size(), 4U);
+  for (const Row& row : rows())
+    EXPECT_EQ(row.status, row.case_id == "one" ? Status::over_budget : Status::answered) << row.case_id;
+  EXPECT_EQ(run({"--cpu-budget", "1"}).exit_code, 0); // which stands in for all of them
+  ASSERT_EQ(rows().size(), 6U);
+  EXPECT_EQ(rows().back().status, Status::answered);
+}
+
+TEST_F(Program, NewMeshSizesOfACaseLeaveStoredRowsAlone) {
+  write_study(study_text);
+  run();
+  write_study(with("quick = true", "budget = { cpu_seconds = 9 }\nmesh_sizes = { exact = [2.0, 1.0, 0.5] }"));
+  EXPECT_EQ(run().exit_code, 0);
+  ASSERT_EQ(rows().size(), 5U);
+  EXPECT_EQ(rows().back().mesh_size, 0.5);
+}
+
 TEST_F(Program, WhatAMethodDoesNotCoverIsSaid) {
   write_study(with("flow = { axis = \"z\" }", "faces = { x_min = { pressure = 0 }, z_max = { pressure = 1 } }"));
   EXPECT_EQ(run({"--quick"}).exit_code, 0);

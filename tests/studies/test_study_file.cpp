@@ -48,7 +48,8 @@ TEST(StudyFile, ReadsWhatIsThereAndDefaultsTheRest) {
   EXPECT_EQ(study.cases[0].label, "one");
   EXPECT_EQ(study.cases[0].quick_methods, std::vector<std::string>{"exact"});
   EXPECT_TRUE(study.cases[1].quick_methods.empty());
-  EXPECT_EQ(study.budget, studies::Budget{});
+  EXPECT_EQ(study.cases[0].budget, studies::Budget{});
+  EXPECT_TRUE(study.cases[0].mesh_sizes.empty());
 }
 
 TEST(StudyFile, ReadsTolerancesBudgetAndPublishedFigures) {
@@ -58,9 +59,30 @@ TEST(StudyFile, ReadsTolerancesBudgetAndPublishedFigures) {
       replaced(replaced(study_text, "[[method]]", "[tolerance]\nforces = 0.1\n[budget]\ncpu_seconds = 7\n[[method]]\n"),
                "quick = true", "published = [{ method = \"exact\", unknowns = 45 }]")));
   EXPECT_EQ(study.tolerance, (studies::Tolerance{0.05, 0.1}));
-  EXPECT_EQ(study.budget.cpu_seconds, 7);
+  for (const studies::StudyCase& one : study.cases)
+    EXPECT_EQ(one.budget, (studies::Budget{.cpu_seconds = 7}));
   ASSERT_EQ(study.cases[0].published.size(), 1U);
   EXPECT_EQ(study.cases[0].published[0], (studies::PublishedFigure{"exact", 45, std::nullopt}));
+}
+
+TEST(StudyFile, ACaseTakesFromTheStudyWhatItsOwnBudgetDoesNotName) {
+  const TemporaryFolder folder;
+  const auto study = read_study(
+      folder.write("study.toml",
+                   replaced(replaced(study_text, "[[method]]", "[budget]\ncpu_seconds = 7\n[[method]]"), "quick = true",
+                            "budget = { memory_bytes = 1e10, wall_seconds = 60 }\nquick = true\nseeds = [1, 2]")));
+  ASSERT_EQ(study.cases.size(), 3U);
+  for (const std::size_t seed : {0, 1})
+    EXPECT_EQ(study.cases[seed].budget, (studies::Budget{7, 1e10, 60}));
+  EXPECT_EQ(study.cases[2].budget, (studies::Budget{.cpu_seconds = 7}));
+}
+
+TEST(StudyFile, ACaseMayHaveMeshSizesOfItsOwn) {
+  const TemporaryFolder folder;
+  const auto study =
+      read_study(folder.write("study.toml", replaced(study_text, "quick = true", "mesh_sizes = { exact = [3, 1.5] }")));
+  EXPECT_EQ(study.cases[0].mesh_sizes, (std::map<std::string, std::vector<double>>{{"exact", {3, 1.5}}}));
+  EXPECT_TRUE(study.cases[1].mesh_sizes.empty());
 }
 
 TEST(StudyFile, ReadsWhatScalingAsksFor) {
@@ -102,6 +124,7 @@ TEST(StudyFile, RefusesUnknownKeysNamingTheValidOnes) {
   expect_refused("mesh_sizes = [2", "mesh_size = 1\nmesh_sizes = [2", {"mesh_size", "quick_mesh_sizes"});
   expect_refused("quick = true", "quik = true", {"quik", "quick", "packing"});
   expect_refused("[[method]]", "[budget]\nseconds = 1\n[[method]]", {"seconds", "cpu_seconds", "memory_bytes"});
+  expect_refused("quick = true", "budget = { seconds = 1 }", {"seconds", "cpu_seconds, memory_bytes, wall_seconds"});
   expect_refused("[[method]]", "[tolerance]\nforce = 1\n[[method]]", {"force", "permeability, forces, pressures"});
   expect_refused("[[method]]", "[scaling]\nunit = 1\n[[method]]", {"unit", "compared_with", "unit_stage"});
   expect_refused("[[method]]", "[curve]\nline = 1\n[[method]]", {"line", "lines, compared_with"});
@@ -116,6 +139,21 @@ TEST(StudyFile, RefusesUnknownNamesNamingTheValidOnes) {
   expect_refused("quick = true", "methods = [\"other\"]", {"methods", "other", "exact"});
 }
 
+TEST(StudyFile, RefusesMeshSizesOfMethodsThatTheCaseDoesNotAskOrThatHaveNoMesh) {
+  const std::string two = replaced(study_text, "[[method]]", "[[method]]\nname = \"closed_form\"\n[[method]]");
+  const auto refused = [&](const std::string& keys) { return refusal(replaced(two, "quick = true", keys)); };
+  for (const char* name : {"exakt", "closed_form"}) {
+    const std::string message = refused(fmt::format("mesh_sizes = {{ {} = [1] }}", name));
+    EXPECT_NE(message.find("study.toml:"), std::string::npos) << message;
+    EXPECT_NE(message.find(fmt::format("mesh_sizes \"{}\" must be of a method with a mesh", name)), std::string::npos)
+        << message;
+    EXPECT_TRUE(message.ends_with("that the case asks: exact")) << message;
+  }
+  const std::string message = refused("methods = [\"closed_form\"]\nmesh_sizes = { exact = [1] }");
+  EXPECT_TRUE(message.ends_with("\"exact\" must be of a method with a mesh that the case asks: it asks none"))
+      << message;
+}
+
 TEST(StudyFile, RefusesBadValues) {
   expect_refused("quick = true", "seeds = [0.5]", {"seeds", "0.5", "whole"});
   expect_refused("quick = true", "seeds = [-1]", {"seeds", "-1", "0 or more"});
@@ -123,6 +161,12 @@ TEST(StudyFile, RefusesBadValues) {
   expect_refused("[2.0, 1.0]", "[1.0, 1.0]", {"coarse to fine"});
   expect_refused("[2.0, 1.0]", "[0]", {"larger than zero"});
   expect_refused("[2.0, 1.0]", "[]", {"at least one"});
+  expect_refused("quick = true", "mesh_sizes = { exact = [1.0, 2.0] }", {"mesh_sizes", "1.0, 2.0", "coarse to fine"});
+  expect_refused("quick = true", "mesh_sizes = { exact = [2.0, -1.0] }", {"mesh_sizes", "-1.0", "larger than zero"});
+  expect_refused("quick = true", "mesh_sizes = { exact = 1.5 }", {"mesh_sizes", "1.5", "list"});
+  expect_refused("quick = true", "mesh_sizes = [1.5]", {"mesh_sizes", "1.5", "table"});
+  expect_refused("quick = true", "budget = 7", {"budget", "7", "table"});
+  expect_refused("quick = true", "budget = { cpu_seconds = 0 }", {"cpu_seconds", "0", "larger than zero"});
   expect_refused("id = \"one\"", "id = \"../one\"", {"../one", "letters"});
   expect_refused("id = \"one\"", "id = \"two\"", {"two", "twice"});
   expect_refused("title = \"A study\"", "title = 3", {"title", "3"});
