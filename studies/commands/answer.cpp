@@ -4,11 +4,13 @@
 #include "reference/memory_meter.hpp"
 #include "reference/method.hpp"
 #include "studies/runner/files.hpp"
+#include "studies/runner/finding.hpp"
 #include "studies/runner/run.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <new>
@@ -25,6 +27,13 @@ struct AnswerOptions {
   bool samples = false;
   std::filesystem::path out;
 };
+
+bool has_free_level(const pfv::Case& problem) {
+  const auto sets_it = [](const pfv::FaceCondition& face) {
+    return std::holds_alternative<pfv::Pressure>(face) || std::holds_alternative<pfv::PressureProfile>(face);
+  };
+  return problem.pressure_points.empty() && std::ranges::none_of(problem.faces, sets_it);
+}
 
 int answer(const AnswerOptions& options) {
   const reference::Method& method = reference::find_method(options.method);
@@ -45,6 +54,8 @@ int answer(const AnswerOptions& options) {
       answer.counts[reference::sampled_pores_count] = static_cast<double>(pores);
       if (const auto setup = permeability_setup(problem); setup && setup->pressure_drop)
         answer.counts[reference::pressure_drop_count] = std::abs(*setup->pressure_drop);
+      if (has_free_level(problem))
+        answer.counts[free_level_count] = 1;
     }
     write_file(options.out, reference::to_json(answer));
     return exit_answered;

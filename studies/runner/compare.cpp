@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace studies {
@@ -43,6 +44,20 @@ std::optional<Difference> rms_of(const std::optional<BoundedField>& field, const
   const double difference = rms_difference(field->values, reference->values);
   return Difference{difference == 0 ? 0 : difference / unit,
                     no_mesh ? reference_error : sum(relative(field->error), reference_error), reference_error};
+}
+
+/// The field moved by a constant so that its mean is the reference's, over the places where both are known.
+BoundedField at_level_of(const BoundedField& reference, BoundedField field) {
+  double sum = 0;
+  std::size_t known = 0;
+  for (std::size_t i = 0; i < std::min(field.values.size(), reference.values.size()); ++i)
+    if (const double difference = field.values[i] - reference.values[i]; !std::isnan(difference)) {
+      sum += difference;
+      ++known;
+    }
+  for (double& value : field.values)
+    value -= sum / static_cast<double>(std::max<std::size_t>(known, 1));
+  return field;
 }
 
 bool agrees(const Difference& difference, double tolerance) {
@@ -84,8 +99,12 @@ void compare_quantities(const Finding& finding, const Finding& reference, const 
   const bool no_mesh = !finding.told().convergence_order;
   comparison.forces = rms_of(finding.forces, reference.forces, no_mesh);
   comparison.fluxes = rms_of(finding.throat_fluxes, reference.throat_fluxes, no_mesh);
-  if (reference.pressure_drop)
-    comparison.pressures = rms_of(finding.pore_pressures, reference.pore_pressures, no_mesh, reference.pressure_drop);
+  if (reference.pressure_drop && finding.pore_pressures && reference.pore_pressures) {
+    const bool free_level = finding.free_level || reference.free_level;
+    comparison.pressures =
+        rms_of(free_level ? at_level_of(*reference.pore_pressures, *finding.pore_pressures) : *finding.pore_pressures,
+               reference.pore_pressures, no_mesh, reference.pressure_drop);
+  }
   if (!comparison.permeability && !comparison.forces) {
     comparison.outcome = Outcome::not_covered;
     comparison.because = fmt::format("no quantity in common with {}", comparison.reference);

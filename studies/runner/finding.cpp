@@ -139,6 +139,7 @@ Finding find(std::vector<Row> rows, const std::filesystem::path& answers) {
   finding.pore_pressures = bounded(rows, read, pore_pressures);
   finding.throat_fluxes = bounded(rows, read, [](const reference::Answer& answer) { return answer.facet_fluxes; });
   finding.pressure_drop = count_in(read, reference::pressure_drop_count);
+  finding.free_level = count_in(read, free_level_count).has_value();
   finding.sauter_diameter = count_in(read, reference::sauter_diameter_count);
   return finding;
 }

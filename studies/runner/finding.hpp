@@ -10,6 +10,9 @@
 
 namespace studies {
 
+/// The count of an answer with samples that says that nothing sets the level of its pressures.
+inline constexpr const char* free_level_count = "free_pressure_level";
+
 /// What a method finally says about a case, from its runs at all mesh sizes.
 struct Finding {
   std::string case_id;
@@ -21,6 +24,7 @@ struct Finding {
   std::optional<BoundedField> throat_fluxes = {};  // m^3/s, through PFV's throats
   std::optional<double> sauter_diameter = {};      // m, of the packing, where the method says it
   std::optional<double> pressure_drop = {};        // Pa, over the box, for pressures to be compared with
+  bool free_level = false;                         // of the pressures: nothing sets it, as under a mean gradient alone
   double bridge_error = 0;                         // share of the permeability that its error has for bridges
 
   /// The finest run that answered, else the finest: size and cost are told of this one.

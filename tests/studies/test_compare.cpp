@@ -127,6 +127,18 @@ TEST(Compare, PorePressuresAreMeasuredByTheDrop) {
   EXPECT_EQ(comparison.outcome, Outcome::differs);
 }
 
+TEST(Compare, PorePressuresWithoutALevelAreComparedAtTheSameMean) {
+  Finding reference = finding(reference_name, 2, 0.01);
+  Finding other = finding("m", 2, 0.01);
+  const double unknown = std::nan("");
+  reference.pore_pressures = studies::BoundedField{{1, unknown, 3}, 0.2};
+  other.pore_pressures = studies::BoundedField{{102, 5, 103}, 0.2};
+  reference.pressure_drop = 10;
+  EXPECT_GT(compare(other, reference_name, &reference, {}).pressures->value, 10);
+  other.free_level = true;
+  EXPECT_NEAR(compare(other, reference_name, &reference, {}).pressures->value, 0.5 / 10, 1e-14);
+}
+
 TEST(Compare, ThroatFluxesAreToldAndNotJudged) {
   Finding reference = finding(reference_name, 2, 0.01);
   Finding other = finding("m", 2, 0.01);
