@@ -1,6 +1,6 @@
 #include "pfv/problem/error.hpp"
 #include "pfv/problem/packing_file/formats.hpp"
-#include "pfv/vtk/read_vtk_points.hpp"
+#include "pfv/problem/packing_file/vtk/read_vtk_points.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pfv/vtk/read_vtk_points.hpp"
+#include "pfv/problem/packing_file/vtk/read_vtk_points.hpp"
 
 namespace pfv {
 

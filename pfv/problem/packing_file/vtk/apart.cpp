@@ -1,4 +1,4 @@
-#include "pfv/vtk/apart.hpp"
+#include "pfv/problem/packing_file/vtk/apart.hpp"
 
 #include "pfv/problem/error.hpp"
 

@@ -1,5 +1,5 @@
 #include "pfv/problem/error.hpp"
-#include "pfv/vtk/read_vtk_points.hpp"
+#include "pfv/problem/packing_file/vtk/read_vtk_points.hpp"
 
 namespace pfv {
 

@@ -1,8 +1,8 @@
-#include "pfv/vtk/read_vtk_points.hpp"
+#include "pfv/problem/packing_file/vtk/read_vtk_points.hpp"
 
 #include "pfv/problem/error.hpp"
-#include "pfv/vtk/apart.hpp"
-#include "pfv/vtk/vtk_points_bytes.hpp"
+#include "pfv/problem/packing_file/vtk/apart.hpp"
+#include "pfv/problem/packing_file/vtk/vtk_points_bytes.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "pfv/vtk/vtk_points_bytes.hpp"
+#include "pfv/problem/packing_file/vtk/vtk_points_bytes.hpp"
 
 #include <cassert>
 #include <cstring>
