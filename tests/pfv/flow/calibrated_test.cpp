@@ -44,8 +44,12 @@ TEST(Calibrated, IsThePapersRuleInATightThroat) {
 TEST(Calibrated, ConductsMoreTheNearerTwoPoresAre) {
   double last = 0;
   for (double length = 1; length > 1e-12; length /= 4) {
-    const ThroatShape throat{
-        .fluid_area = 1, .void_volume = length, .wetted_surface = 4 * length, .length = length, .openness = .4, .gap = .2};
+    const ThroatShape throat{.fluid_area = 1,
+                             .void_volume = length,
+                             .wetted_surface = 4 * length,
+                             .length = length,
+                             .openness = .4,
+                             .gap = .2};
     const double conductance = Calibrated{}(throat, 1);
     EXPECT_GT(conductance, last);
     last = conductance;

@@ -49,7 +49,7 @@ TEST(ThroatMeasures, HaveOpeningsWhenAskedTheSameInBlocks) {
 TEST(ThroatMeasures, HaveTheSmallestGapToAnotherSphereOrItsMirrorImage) {
   const Box box{Vec3(0, 0, 0), Vec3(10, 10, 10)};
   const std::vector<Sphere> spheres{{Vec3(2, 2, 2), 1}, {Vec3(5, 2, 2), 1}, {Vec3(2, 6, 2), 2}};
-  EXPECT_DOUBLE_EQ(smallest_gap(box, spheres, {0, 1, 2}), .25);                          // 4 - 1 - 2 of 4
+  EXPECT_DOUBLE_EQ(smallest_gap(box, spheres, {0, 1, 2}), .25);                           // 4 - 1 - 2 of 4
   EXPECT_DOUBLE_EQ(smallest_gap(box, spheres, {0, 1, wall_vertex(Face::y_min)}), 1. / 3); // 3 - 2 of 3
   EXPECT_DOUBLE_EQ(smallest_gap(box, spheres, {1, 2, wall_vertex(Face::z_min)}), 0);      // the third touches it
 }
