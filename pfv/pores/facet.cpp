@@ -29,6 +29,21 @@ Vec3 area_vector(const Box& box, std::span<const Sphere> spheres, const std::arr
   return 0.5 * cross;
 }
 
+double gap_between(const Sphere& one, const Sphere& other) {
+  const double apart = (other.centre - one.centre).norm(), radii = one.radius + other.radius;
+  return apart > radii ? 1 - radii / apart : 0;
+}
+
+/// Between a sphere and its mirror image. One that the wall cuts parts from its image again, as it were, until both are
+/// one sphere, centred on the wall.
+double gap_at_wall(const Box& box, Face face, const Sphere& sphere) {
+  const double distance = wall_distance(box, face, sphere.centre), radius = sphere.radius;
+  if (distance > radius)
+    return 1 - radius / distance;
+  const double inside = std::min(1.0, 1 - distance / radius);
+  return inside * inside;
+}
+
 } // namespace
 
 Facet make_facet(const Box& box, std::span<const Sphere> spheres, const std::array<Vertex, 3>& vertices) {
@@ -60,15 +75,11 @@ double smallest_gap(const Box& box, std::span<const Sphere> spheres, const std::
     const Vertex one = vertices[c], other = vertices[(c + 1) % 3];
     if (is_wall(one) && is_wall(other))
       continue;
-    const Sphere& sphere = spheres[is_wall(one) ? other : one];
-    double apart, radii = sphere.radius;
-    if (is_wall(one) || is_wall(other)) {
-      apart = wall_distance(box, face_of(is_wall(one) ? one : other), sphere.centre);
-    } else {
-      apart = (spheres[other].centre - sphere.centre).norm();
-      radii += spheres[other].radius;
-    }
-    smallest = std::min(smallest, apart > radii ? 1 - radii / apart : 0);
+    if (is_wall(one) || is_wall(other))
+      smallest = std::min(smallest,
+                          gap_at_wall(box, face_of(is_wall(one) ? one : other), spheres[is_wall(one) ? other : one]));
+    else
+      smallest = std::min(smallest, gap_between(spheres[one], spheres[other]));
   }
   return smallest;
 }

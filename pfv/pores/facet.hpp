@@ -30,7 +30,7 @@ Facet make_facet(const Box& box, std::span<const Sphere> spheres, const std::arr
 
 /// The smallest gap between two of these spheres over the distance of their centres, and between one and a wall over
 /// the distance of its centre from the wall, as between it and its mirror image. From 0, where two touch or overlap,
-/// to 1.
+/// to 1, which is also that of a sphere centred on the wall: it has no image but itself.
 double smallest_gap(const Box& box, std::span<const Sphere> spheres, const std::array<Vertex, 3>& vertices);
 
 } // namespace pfv

@@ -1,4 +1,4 @@
-// The conductance rule that is fitted to Stokes flow. That its constants are those of the fit is tested with the fit.
+// The conductance rule that is fitted to Stokes flow.
 #include "pfv/flow/permeability_error.hpp"
 #include "pfv/problem/generate.hpp"
 #include "support/packings.hpp"
