@@ -6,6 +6,7 @@
 #include "studies/calibration/calibrate.hpp"
 #include "studies/runner/build_info.hpp"
 #include "studies/runner/case_store.hpp"
+#include "studies/runner/compare.hpp"
 #include "studies/runner/csv.hpp"
 #include "studies/runner/files.hpp"
 
@@ -40,20 +41,23 @@ std::vector<KnownPermeability> known_permeabilities(const std::filesystem::path&
   std::vector<KnownPermeability> known;
   for (std::size_t n = 1; n < records.size(); ++n) {
     const auto& record = records[n];
-    const auto one = std::ranges::find(study.cases, record.at(id), &StudyCase::id);
+    const auto number = [&](std::size_t field) {
+      const auto read = pfv::to_number(record[field]);
+      if (!read || !(*read > 0))
+        throw pfv::InputError(fmt::format("{}:{}: {} \"{}\" must be a number above 0", file.string(), n + 1,
+                                          records[0][field], record[field]));
+      return *read;
+    };
+    if (record.size() != records[0].size())
+      throw pfv::InputError(fmt::format("{}:{}: {} fields, the first line has {}", file.string(), n + 1, record.size(),
+                                        records[0].size()));
+    const auto one = std::ranges::find(study.cases, record[id], &StudyCase::id);
     if (one == study.cases.end())
       throw pfv::InputError(fmt::format("{}: {} has no case \"{}\"", file.string(), study_toml.string(), record[id]));
-    known.push_back({record[id], store_case(*one, cases, digest_of_sources({"pfv/problem"})).problem,
-                     std::stod(record.at(value)), std::stod(record.at(error))});
+    known.push_back({record[id], store_case(*one, cases, digest_of_sources({"pfv/problem"})).problem, number(value),
+                     number(error)});
   }
   return known;
-}
-
-double rms(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values)
-    sum += value * value;
-  return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
 /// What the share of the values does not exceed in size.
