@@ -2,6 +2,7 @@
 
 #include "pfv/problem/error.hpp"
 #include "pfv/problem/toml_input.hpp"
+#include "reference/temporary_folder.hpp"
 #include "studies/runner/files.hpp"
 
 #include <fmt/format.h>
@@ -40,6 +41,13 @@ pfv::Case read_or(const std::filesystem::path& file, const std::function<pfv::Ca
 }
 
 } // namespace
+
+pfv::Case problem_of(const StudyCase& one) {
+  const reference::TemporaryFolder folder("case");
+  const auto file = folder.path() / "case.toml";
+  write_file(file, one.toml);
+  return pfv::read_case(file);
+}
 
 StoredCase store_case(const StudyCase& one, const std::filesystem::path& folder, const std::string& generation) {
   const std::string question = text_digest(one.toml + generation).substr(0, 12);
