@@ -57,8 +57,11 @@ StoredCase store_case(const StudyCase& one, const std::filesystem::path& folder,
   const auto write_anew = [&] {
     const auto asked = folder / fmt::format("{}-{}.question.toml", one.id, question);
     write_file(asked, one.toml);
-    write_out(pfv::read_case(asked).packing, asked, full, one.id);
-    return pfv::read_case(full);
+    pfv::Case read = pfv::read_case(asked);
+    write_out(read.packing, asked, full, one.id);
+    pfv::Case written = pfv::read_case(full);
+    written.notes = std::move(read.notes); // of the reader, which saw the packing as it came
+    return written;
   };
   try {
     StoredCase stored{generated ? read_or(full, write_anew) : write_anew(), {}, full};
