@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 namespace studies {
 
@@ -25,9 +26,10 @@ const Finding* reference_of(const Study& study, std::span<const Result> results,
   return nullptr;
 }
 
+/// From fine to coarse.
 std::vector<Attempt> mesh_by_mesh(const Finding& finding, const Bounded& reference) {
   std::vector<Attempt> attempts;
-  for (const Row& row : finding.rows)
+  for (const Row& row : std::views::reverse(finding.rows))
     if (row.status == Status::answered && row.permeability)
       attempts.push_back({std::abs(*row.permeability / reference.value - 1), cost(row.stages).total()});
   return attempts;
@@ -69,19 +71,21 @@ CostOfAccuracy cost_of_accuracy(const Study& study, std::span<const Result> resu
   for (const Result& result : results) {
     const Finding& finding = result.finding;
     const Finding* reference = finding.method == method ? reference_of(study, results, finding.case_id) : nullptr;
-    if (!reference || !finding.answered())
+    if (!reference)
       continue;
     const Bounded& k = *reference->permeability;
     const double uncertain = *k.error / std::abs(k.value);
     if (uncertain > level / 2)
       continue;
     ++found.cases;
-    std::optional<double> least;
-    for (const Attempt& attempt : extrapolated ? all_meshes(study, finding, k) : mesh_by_mesh(finding, k))
-      if (attempt.error + uncertain <= level)
-        least = std::min(least.value_or(attempt.cpu_seconds), attempt.cpu_seconds);
-    if (least)
-      found.cpu_seconds.push_back(*least);
+    std::optional<double> coarsest;
+    for (const Attempt& attempt : extrapolated ? all_meshes(study, finding, k) : mesh_by_mesh(finding, k)) {
+      if (attempt.error + uncertain > level)
+        break;
+      coarsest = attempt.cpu_seconds;
+    }
+    if (coarsest)
+      found.cpu_seconds.push_back(*coarsest);
   }
   return found;
 }

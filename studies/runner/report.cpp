@@ -154,10 +154,10 @@ void add_accuracy(const Study& study, std::span<const Result> list, Document& pa
     return;
   page.add(Heading{"CPU seconds to be within an error"});
   page.add(Paragraph{fmt::format(
-      "Of the cheapest mesh, meshing included, whose permeability is so near to the extrapolated one of {0} that its "
-      "distance and the error of {0} are within the level together: the median over the cases, and in how many of them "
-      "it is reached if not in all. *Extrapolated*: from all its meshes, which costs them all. A level that "
-      "is less than twice the error of {0} tells nothing.",
+      "Of the coarsest mesh, meshing included, whose permeability, and that of all finer ones, is so near to the "
+      "extrapolated one of {0} that its distance and the error of {0} are within the level together: the median over "
+      "the cases, and in how many of those asked if not in all. *Extrapolated*: from all its meshes, which costs them "
+      "all. A level that is less than twice the error of {0} tells nothing.",
       study.reference)});
   page.add(std::move(table));
 }

@@ -48,11 +48,19 @@ std::vector<double> seconds_of(const std::string& method, double level, bool ext
   return cost_of_accuracy(example_study(), example_results(), method, level, extrapolated).cpu_seconds;
 }
 
-TEST(Accuracy, CostsTheCheapestRunThatIsSurelyWithinTheLevel) {
+TEST(Accuracy, CostsTheCoarsestRunThatIsSurelyWithinTheLevel) {
   EXPECT_EQ(seconds_of("meshed", 0.1), (std::vector<double>{4, 4}));
   EXPECT_EQ(seconds_of("other", 0.1), std::vector<double>{8});
   EXPECT_TRUE(seconds_of("other", 0.05).empty()); // 0.05 off, and the reference 0.001
   EXPECT_EQ(seconds_of("other", 0.0511), std::vector<double>{8});
+}
+
+TEST(Accuracy, ARunThatIsRightByLuckDoesNotCount) {
+  std::vector<Result> results = example_results();
+  results[1].finding.rows[0].permeability = 1; // on the coarse mesh only
+  const auto found = cost_of_accuracy(example_study(), results, "other", 0.03, false);
+  EXPECT_EQ(found.cases, 1U);
+  EXPECT_TRUE(found.cpu_seconds.empty());
 }
 
 TEST(Accuracy, AReferenceThatIsItselfTooFarOffTellsNothing) {
