@@ -160,6 +160,11 @@ void add_accuracy(const Study& study, std::span<const Result> list, Document& pa
       "all. A level that is less than twice the error of {0} tells nothing.",
       study.reference)});
   page.add(std::move(table));
+  Plot plot = error_plot(study, list);
+  plot.width = 820;
+  plot.height = 520;
+  if (!plot.empty())
+    page.add(std::move(plot));
 }
 
 constexpr std::size_t long_list = 40; // more lines than this are folded
@@ -183,7 +188,7 @@ Document report(const Study& study, const Scope& scope, std::span<const Row> row
   if (!study.curve) // a line for each case would be longer than the curves
     for (const Plot& plot : permeability_plots(study, list))
       page.add(plot);
-  if (Plot plot = error_plot(study, list); !plot.empty())
+  if (Plot plot = error_plot(study, list); !study.accuracy && !plot.empty())
     page.add(plot);
   for (const Figure& figure : packing_figures(study, list))
     page.add(figure);
