@@ -13,7 +13,7 @@ namespace studies {
 
 namespace {
 
-constexpr std::array openness_steps{0.0, 0.2, 0.3, 0.4, 0.5, 0.6, 1.0};
+constexpr std::array openness_steps{0.0, 0.2, 0.3, 0.4, 0.5, 1.0};
 
 /// S_f / S
 double openness(const PlaceCase& viewed, std::size_t throat) {

@@ -184,6 +184,7 @@ Document report(const Study& study, const Scope& scope, std::span<const Row> row
   page.add(Paragraph{std::string(outcome_lead) + outcome(study, list)});
   add_curves(study, list, page);
   add_accuracy(study, list, page);
+  add_places(study, list, page);
   page.add(Heading{"Results"});
   if (!study.curve) // a line for each case would be longer than the curves
     for (const Plot& plot : permeability_plots(study, list))
@@ -198,7 +199,6 @@ Document report(const Study& study, const Scope& scope, std::span<const Row> row
     page.add(std::move(table));
   add_how_to_read(study, page);
   add_scaling(study, list, page);
-  add_places(study, list, page);
   const Heading says{"What the comparisons say"};
   const List sentences = outcome_sentences(study, list);
   if (sentences.items.size() > long_list)
