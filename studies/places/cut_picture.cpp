@@ -96,7 +96,8 @@ std::vector<std::string> colours(const std::vector<double>& values, const std::f
 Figure cut(const Section& section, std::string caption, const std::vector<std::string>& colours) {
   Figure figure{std::move(caption), ""};
   figure.picture = fmt::format(
-      "<svg role=\"img\" style=\"width:{0:.0f}px\" viewBox=\"0 0 {0:.0f} {1:.0f}\">\n{2}"
+      "<svg role=\"img\" style=\"width:{0:.0f}px\" viewBox=\"0 0 {0:.0f} {1:.0f}\">\n"
+      "<g shape-rendering=\"crispEdges\">\n{2}</g>\n"
       "<g fill=\"#8a8f96\" stroke=\"#5a5f66\">\n{3}</g>\n"
       "<rect width=\"{0:.0f}\" height=\"{1:.0f}\" fill=\"none\" stroke=\"currentColor\"/>\n</svg>",
       width, section.plane.height, rectangles(section, colours), grey_sections(section.viewed, section.plane));

@@ -64,7 +64,8 @@ Table table(std::span<const PlaceCase> cases) {
           (pores.centre[found.worst_pore] - viewed.network.box.lower).cwiseQuotient(viewed.network.box.size());
       const auto& error = viewed.reference.pore_pressures->error;
       table.rows.push_back({viewed.one.label, pairs.method, fmt::format("{}", found.pores), percent(found.rms),
-                            error ? percent(*error / drop(viewed)) : "", percent(found.mean), percent(found.worst),
+                            error ? percent(*error / drop(viewed)) : "",
+                            viewed.reference.free_level ? "" : percent(found.mean), percent(found.worst),
                             fmt::format("{:.2f} {:.2f} {:.2f}", at.x(), at.y(), at.z()),
                             percent(pores.void_volume[found.worst_pore] / fluid)});
     }
