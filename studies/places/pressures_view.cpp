@@ -136,8 +136,7 @@ void add_pressures(std::span<const PlaceCase> cases, const Study& study, Documen
   page.add(Heading{"Pressures in pores"});
   page.add(
       Paragraph{"Differences from the reference over the pressure drop, in every pore at its centre where that "
-                "lies in the fluid. *Mean* is the bias; where nothing sets the level of the pressure it is zero by "
-                "construction."});
+                "lies in the fluid. *Mean* is the bias; there is none where nothing sets the level of the pressure."});
   page.add(std::move(differences));
   page.add(scatter(
       cases, study, "pressure / drop", "Pressure in every pore, all cases.",
