@@ -28,6 +28,8 @@ Declared declared_by(const Block& block, const std::function<bool(const Number&)
   Declared declared;
   for (const std::string& line : block.says) {
     const auto note = line.starts_with("apart ") ? line.find(": ") : line.size();
+    if (line.starts_with("apart all: "))
+      continue;
     if (line.starts_with("given ") || (line.starts_with("apart ") && note != line.npos)) {
       for (const Number& number : numbers_in(line.substr(6, note - 6)))
         declared.numbers.push_back(number);

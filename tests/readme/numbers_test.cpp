@@ -111,6 +111,20 @@ TEST(Readme, NumbersAreCommitted) {
   EXPECT_GE(would_be_caught, 0.45 * stale_ones);
 }
 
+TEST(Readme, EveryMeasuredParagraphIsHeldOrSaysWhatMeasuresItAgain) {
+  std::size_t apart = 0;
+  for (const Block& block : blocks_of(project / "README.md")) {
+    const bool says_apart =
+        std::ranges::any_of(block.says, [](const std::string& line) { return line.starts_with("apart all: "); });
+    apart += says_apart;
+    for (const std::string& line : block.text)
+      for (const Number& number : numbers_in(line))
+        EXPECT_TRUE(number.unit == Unit::none || says_apart || !sources_of(block).empty())
+            << "README.md:" << block.line << ": " << number.text << " is held by nothing";
+  }
+  EXPECT_LE(apart, 15u) << "studies are to hold numbers";
+}
+
 TEST(Readme, AStaleRowOfTheFirstTableIsCaught) {
   auto claims = all_claims();
   const auto table =
