@@ -40,6 +40,13 @@ pfv::Vec3 vector(const json& value) {
   return {number(value.at(0)), number(value.at(1)), number(value.at(2))};
 }
 
+std::vector<pfv::Vec3> vectors(const json& list) {
+  std::vector<pfv::Vec3> read;
+  for (const json& one : list)
+    read.push_back(vector(one));
+  return read;
+}
+
 Answer parse(const json& object) {
   Answer answer;
   answer.method = object.at("method");
@@ -52,11 +59,10 @@ Answer parse(const json& object) {
     answer.permeability = number(object["permeability"]);
   if (object.contains("porosity"))
     answer.porosity = number(object["porosity"]);
-  if (object.contains("sphere_forces")) {
-    answer.sphere_forces.emplace();
-    for (const json& force : object["sphere_forces"])
-      answer.sphere_forces->push_back(vector(force));
-  }
+  if (object.contains("sphere_forces"))
+    answer.sphere_forces = vectors(object["sphere_forces"]);
+  if (object.contains("sphere_viscous_forces"))
+    answer.sphere_viscous_forces = vectors(object["sphere_viscous_forces"]);
   if (object.contains("wall_forces")) {
     answer.wall_forces.emplace();
     for (std::size_t face = 0; face < 6; ++face)
@@ -87,6 +93,8 @@ std::string to_json(const Answer& answer) {
     object["porosity"] = *answer.porosity;
   if (answer.sphere_forces)
     object["sphere_forces"] = written_all(*answer.sphere_forces);
+  if (answer.sphere_viscous_forces)
+    object["sphere_viscous_forces"] = written_all(*answer.sphere_viscous_forces);
   if (answer.wall_forces)
     object["wall_forces"] = written_all(*answer.wall_forces);
   if (answer.point_pressures)

@@ -41,8 +41,9 @@ struct Answer {
   /// face's pressure on the disc cut out of it, so that between slip walls the forces add up to the pressure drop times
   /// the area of the box; one centred on a slip wall is half of a mirrored pair, with no force normal to the wall.
   std::optional<std::vector<pfv::Vec3>> sphere_forces;
-  std::optional<std::array<pfv::Vec3, 6>> wall_forces; // N, by pfv::Face, of the fluid on the face
-  std::optional<std::vector<double>> point_pressures;  // Pa, at Probes::points; NaN in the solid and where unknown
+  std::optional<std::vector<pfv::Vec3>> sphere_viscous_forces; // N, of these, the part of the shear on the surface
+  std::optional<std::array<pfv::Vec3, 6>> wall_forces;         // N, by pfv::Face, of the fluid on the face
+  std::optional<std::vector<double>> point_pressures; // Pa, at Probes::points; NaN in the solid and where unknown
   std::optional<std::vector<double>> facet_fluxes; // m^3/s, through Probes::facets along their normals; NaN if unknown
   std::vector<pfv::Stage>
       stages; // CPU seconds by stage, once-per-mesh stages marked by name "mesh", see also repeat_prefix

@@ -63,4 +63,10 @@ void give_normal_parts_to_slip_walls(const pfv::Case& problem, std::vector<pfv::
   }
 }
 
+void drop_normal_parts_at_slip_walls(const pfv::Case& problem, std::vector<pfv::Vec3>& on_spheres) {
+  std::array<pfv::Vec3, 6> dropped;
+  dropped.fill(pfv::Vec3::Zero());
+  give_normal_parts_to_slip_walls(problem, on_spheres, dropped);
+}
+
 } // namespace reference

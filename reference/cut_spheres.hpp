@@ -19,4 +19,7 @@ void add_pressure_on_discs(const pfv::Case& problem, std::vector<pfv::Vec3>& on_
 void give_normal_parts_to_slip_walls(const pfv::Case& problem, std::vector<pfv::Vec3>& on_spheres,
                                      std::array<pfv::Vec3, 6>& on_faces);
 
+/// The same of a part of these forces, which no one asks of the faces.
+void drop_normal_parts_at_slip_walls(const pfv::Case& problem, std::vector<pfv::Vec3>& on_spheres);
+
 } // namespace reference

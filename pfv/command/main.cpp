@@ -1,3 +1,4 @@
+#include "pfv/command/interruption.hpp"
 #include "pfv/command/permeability_command.hpp"
 #include "pfv/command/run_command.hpp"
 #include "pfv/problem/error.hpp"
@@ -8,9 +9,9 @@
 
 namespace {
 
-enum ExitCode { answered = 0, bad_input = 2, not_solved = 3 };
+enum ExitCode { answered = 0, bad_input = 2, not_solved = 3, by_signal = 128 };
 
-int fail(ExitCode code, const std::exception& error) {
+int fail(int code, const std::exception& error) {
   fmt::print(stderr, "pfv: {}\n", error.what());
   return code;
 }
@@ -32,6 +33,8 @@ int main(int argc, char** argv) {
     return bad_input;
   } catch (const pfv::InputError& error) {
     return fail(bad_input, error);
+  } catch (const pfv::Interrupted& interrupted) {
+    return fail(by_signal + interrupted.signal, interrupted);
   } catch (const std::exception& error) {
     return fail(not_solved, error);
   }

@@ -1,5 +1,6 @@
 #include "pfv/command/run_command.hpp"
 
+#include "pfv/command/interruption.hpp"
 #include "pfv/command/run_progress.hpp"
 #include "pfv/command/run_report.hpp"
 #include "pfv/flow/choice.hpp"
@@ -124,8 +125,9 @@ bool at_rest(const Duration& duration, const Simulation& simulation) {
          in_equilibrium(simulation.grains(), {*duration.unbalanced});
 }
 
-void advance(Simulation& simulation, const Duration& duration, Saves& saves, std::optional<Output>& history,
-             std::size_t every) {
+/// To the end of the duration, or to the step after an interruption.
+void advance(Simulation& simulation, const Duration& duration, const Interruption& interruption, Saves& saves,
+             std::optional<Output>& history, std::size_t every) {
   RunProgress progress(share_done(duration, simulation));
   while (share_done(duration, simulation) < 1) {
     simulation.advance();
@@ -133,7 +135,7 @@ void advance(Simulation& simulation, const Duration& duration, Saves& saves, std
       history->stream() << history_row(simulation);
     saves.save_if_due(simulation);
     progress.show(share_done(duration, simulation), simulation.grains().time);
-    if (at_rest(duration, simulation))
+    if (at_rest(duration, simulation) || interruption.signal() != 0)
       return;
   }
   if (duration.unbalanced)
@@ -157,8 +159,9 @@ void run(const Options& options) {
 
   if (!options.json)
     fmt::print("{}", opening_report(file.scene, simulation));
+  const Interruption interruption;
   try {
-    advance(simulation, duration, saves, history, static_cast<std::size_t>(options.every));
+    advance(simulation, duration, interruption, saves, history, static_cast<std::size_t>(options.every));
   } catch (const SolveError& error) {
     throw SolveError(error.what() + saves.last());
   }
@@ -170,6 +173,11 @@ void run(const Options& options) {
   }
   fmt::print("{}", options.json ? json_report(file.scene, simulation) : closing_report(simulation));
   saves.save(simulation);
+  if (interruption.signal() != 0)
+    throw Interrupted(
+        fmt::format("interrupted after {} steps{}", simulation.steps(),
+                    options.save_file.empty() ? "; without --save there is nothing to go on from" : saves.last()),
+        interruption.signal());
 }
 
 } // namespace

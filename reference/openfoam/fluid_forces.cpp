@@ -37,11 +37,13 @@ public:
   ForceSum(const pfv::Case& problem, const std::vector<meshing::Bridge>& bridges)
       : problem_(problem), box_(problem.packing.box), spheres_(problem.packing.spheres), bridges_(bridges) {
     forces_.on_spheres.assign(spheres_.size(), pfv::Vec3::Zero());
+    forces_.viscous = forces_.on_spheres;
     forces_.on_faces.fill(pfv::Vec3::Zero());
   }
 
   void add_sphere(const SphereSurface& surface, const Traction& traction) {
     forces_.on_spheres[surface.sphere] += traction.force;
+    forces_.viscous[surface.sphere] += traction.shear;
   }
 
   void add_bridge(const PairBridge& ends, const std::string& name, const Traction& traction) {
@@ -52,10 +54,13 @@ public:
     const pfv::Vec3 cap = traction.mean_pressure * area_inside({middle, across, radius(name)}, box_) * across;
     forces_.on_spheres[ends.first] += traction.force / 2 - cap;
     forces_.on_spheres[ends.second] += traction.force / 2 + cap;
+    forces_.viscous[ends.first] += traction.shear / 2;
+    forces_.viscous[ends.second] += traction.shear / 2;
   }
 
   void add_bridge(const WallBridge& ends, const std::string& name, const Traction& traction) {
     forces_.on_spheres[ends.sphere] += traction.force;
+    forces_.viscous[ends.sphere] += traction.shear;
     if (open(ends.face))
       return; // the face's own pressure acts there
     const pfv::Vec3 cap =
@@ -84,6 +89,7 @@ public:
   FluidForces mirrored() const {
     FluidForces forces = forces_;
     give_normal_parts_to_slip_walls(problem_, forces.on_spheres, forces.on_faces);
+    drop_normal_parts_at_slip_walls(problem_, forces.viscous);
     return forces;
   }
 

@@ -11,6 +11,7 @@ namespace reference::openfoam {
 
 struct FluidForces {
   std::vector<pfv::Vec3> on_spheres; // N
+  std::vector<pfv::Vec3> viscous;    // N, the part of the shear in it
   std::array<pfv::Vec3, 6> on_faces; // N, by pfv::Face
 };
 

@@ -111,6 +111,7 @@ Answer answer_in_si(const pfv::Case& problem, const FlowFields& fields, const Fl
     answer.permeability = problem.fluid.viscosity * flux * setup->length / (setup->area * *setup->pressure_drop);
   }
   answer.sphere_forces = forces.on_spheres;
+  answer.sphere_viscous_forces = forces.viscous;
   answer.wall_forces = forces.on_faces;
   return answer;
 }

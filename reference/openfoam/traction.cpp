@@ -32,6 +32,7 @@ Traction on_wall(const FoamMesh& mesh, const MeshPatch& patch, const FlowFields&
   Traction sum;
   for_each_face(mesh, patch, fields, units, [&](const WallFace& face) {
     sum.force += face.area * (face.pressure * face.normal + face.shear);
+    sum.shear += face.area * face.shear;
     sum.area += face.area;
     sum.mean_pressure += face.area * face.pressure;
   });

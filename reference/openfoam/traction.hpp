@@ -7,6 +7,7 @@ namespace reference::openfoam {
 
 struct Traction {
   pfv::Vec3 force = pfv::Vec3::Zero(); // N
+  pfv::Vec3 shear = pfv::Vec3::Zero(); // N, the part - mu du/dn of it
   double area = 0;                     // m^2
   double mean_pressure = 0;            // Pa
 };

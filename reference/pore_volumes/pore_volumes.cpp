@@ -63,6 +63,8 @@ public:
       answer.sphere_forces->push_back(flow.forces.of_flow(k));
     answer.wall_forces = flow.forces.on_face;
     give_normal_parts_to_slip_walls(problem, *answer.sphere_forces, *answer.wall_forces);
+    answer.sphere_viscous_forces = flow.forces.viscous;
+    drop_normal_parts_at_slip_walls(problem, *answer.sphere_viscous_forces);
     answer.stages = clock.stages();
     answer.counts = {{"pores", flow.network.pores.size()},
                      {"contracted_throats", flow.system.contracted_throats},

@@ -35,9 +35,13 @@ void set_level(const UnitCase& unit, const StokesSystem& system, Eigen::VectorXd
 }
 
 void add_forces(const Forces& forces, double unit, Answer& answer) {
-  answer.sphere_forces.emplace();
-  for (const pfv::Vec3& force : forces.sphere)
-    answer.sphere_forces->push_back(unit * force);
+  const auto in_si = [unit](std::vector<pfv::Vec3> list) {
+    for (pfv::Vec3& force : list)
+      force *= unit;
+    return list;
+  };
+  answer.sphere_forces = in_si(forces.sphere);
+  answer.sphere_viscous_forces = in_si(forces.viscous);
   answer.wall_forces.emplace();
   for (std::size_t face = 0; face < 6; ++face)
     (*answer.wall_forces)[face] = unit * forces.wall[face];

@@ -41,6 +41,7 @@ public:
     while (originals < imaged.original.size() && imaged.original[originals] == originals)
       ++originals;
     forces.sphere.assign(originals, Vec3::Zero());
+    forces.viscous.assign(originals, Vec3::Zero());
     forces.wall.fill(Vec3::Zero());
   }
 
@@ -67,6 +68,9 @@ private:
     return gradient_.dot(Vec3(boxes[0], boxes[1], boxes[2]).cwiseProduct(problem_.packing.box.size()));
   }
 
+  Vec3 shear() const { return force_ - surface_.push_of_flow; }
+
+  Vec3& shear_on(std::size_t sphere) { return forces.viscous[imaged_.original[sphere]]; }
   Vec3& on(std::size_t sphere) { return forces.sphere[imaged_.original[sphere]]; }
   Vec3& on(pfv::Face face) { return forces.wall[static_cast<std::size_t>(index(face))]; }
 
@@ -75,15 +79,22 @@ private:
       on(label.face) += force_ + surface_.push_of_rise;
   }
 
-  void add_piece(const SphereSurface& label) { on(label.sphere) += force_ + push_of_rise(label.sphere); }
+  void add_piece(const SphereSurface& label) {
+    on(label.sphere) += force_ + push_of_rise(label.sphere);
+    shear_on(label.sphere) += shear();
+  }
 
   void add_piece(const Bridge& label) {
     const Bridge bridge = in_order(label);
     const Vec3 force = force_ + push_of_rise(bridge.sphere);
     const auto* other = std::get_if<std::size_t>(&bridge.other);
-    on(bridge.sphere) += other ? Vec3(force / 2) : force;
-    if (other)
-      on(*other) += force / 2;
+    const double share = other ? 0.5 : 1;
+    on(bridge.sphere) += share * force;
+    shear_on(bridge.sphere) += share * shear();
+    if (other) {
+      on(*other) += share * force;
+      shear_on(*other) += share * shear();
+    }
     Contact& contact = contacts_.try_emplace(key_of(bridge), Contact{bridge}).first->second;
     contact.area += surface_.area;
     contact.pressure += surface_.integral - rise(bridge.sphere) * surface_.area;

@@ -8,6 +8,7 @@ namespace reference::stokes_fem {
 
 struct Forces {
   std::vector<pfv::Vec3> sphere;
+  std::vector<pfv::Vec3> viscous; // on the spheres: what the pressure on their surfaces leaves of `sphere`
   std::array<pfv::Vec3, 6> wall;
 };
 

@@ -100,6 +100,7 @@ public:
     Answer answer = stokes_fem::flow_on_mesh(problem, mesh.file, settings.bridge_radius, own, request.probes, how);
     add_pressure_on_discs(beyond_periodic_faces(problem), *answer.sphere_forces, *answer.wall_forces);
     give_normal_parts_to_slip_walls(problem, *answer.sphere_forces, *answer.wall_forces);
+    drop_normal_parts_at_slip_walls(problem, *answer.sphere_viscous_forces);
     for (const pfv::Stage& stage : own.stages())
       clock.add(stage.name, stage.cpu_seconds);
     answer.method = name();

@@ -180,6 +180,7 @@ std::vector<SurfacePressure> surface_pressures(const Discretisation& space, cons
       sum.area += values.JxW(q);
       sum.area_vector += area;
       sum.push_of_rise += rise * area;
+      sum.push_of_flow += (pressure - rise) * area;
     }
   });
   return sums;

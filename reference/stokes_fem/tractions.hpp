@@ -25,6 +25,7 @@ struct SurfacePressure {
   double integral = 0;                        // of the pressure, the mean gradient's part included
   pfv::Vec3 area_vector = pfv::Vec3::Zero();  // of the normal
   pfv::Vec3 push_of_rise = pfv::Vec3::Zero(); // of the normal times the mean gradient's part alone
+  pfv::Vec3 push_of_flow = pfv::Vec3::Zero(); // of the normal times the rest of the pressure
 };
 
 /// By label. `gradient` is the mean one of a periodic box, its part of the pressure zero at `middle`.

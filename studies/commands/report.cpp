@@ -7,6 +7,7 @@
 
 #include "pfv/problem/error.hpp"
 #include "studies/effect_cost/effect_study.hpp"
+#include "studies/places/places.hpp"
 #include "studies/runner/report.hpp"
 #include "studies/runner/study_run.hpp"
 
@@ -44,7 +45,8 @@ void report_command(ReportOptions options) {
                                       options.work.rows().string(), options.name));
   conclude(study, options.scope, rows, options.work.answers(), options.work.root, options.json);
   if (options.publish)
-    publish(report(study, options.scope, rows, options.work.answers()), rows, study.folder);
+    publish(report(study, options.scope, rows, options.work.answers()), rows, study.folder,
+            place_files(study, results(study, rows, options.work.answers())));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "pfv/problem/error.hpp"
 #include "pfv/problem/toml_input.hpp"
+#include "reference/temporary_folder.hpp"
 #include "studies/runner/files.hpp"
 
 #include <fmt/format.h>
@@ -41,6 +42,13 @@ pfv::Case read_or(const std::filesystem::path& file, const std::function<pfv::Ca
 
 } // namespace
 
+pfv::Case problem_of(const StudyCase& one) {
+  const reference::TemporaryFolder folder("case");
+  const auto file = folder.path() / "case.toml";
+  write_file(file, one.toml);
+  return pfv::read_case(file);
+}
+
 StoredCase store_case(const StudyCase& one, const std::filesystem::path& folder, const std::string& generation) {
   const std::string question = text_digest(one.toml + generation).substr(0, 12);
   const auto full = folder / fmt::format("{}-{}.toml", one.id, question);
@@ -49,8 +57,11 @@ StoredCase store_case(const StudyCase& one, const std::filesystem::path& folder,
   const auto write_anew = [&] {
     const auto asked = folder / fmt::format("{}-{}.question.toml", one.id, question);
     write_file(asked, one.toml);
-    write_out(pfv::read_case(asked).packing, asked, full, one.id);
-    return pfv::read_case(full);
+    pfv::Case read = pfv::read_case(asked);
+    write_out(read.packing, asked, full, one.id);
+    pfv::Case written = pfv::read_case(full);
+    written.notes = std::move(read.notes); // of the reader, which saw the packing as it came
+    return written;
   };
   try {
     StoredCase stored{generated ? read_or(full, write_anew) : write_anew(), {}, full};

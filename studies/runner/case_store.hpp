@@ -15,6 +15,9 @@ struct StoredCase {
   std::filesystem::path file;
 };
 
+/// The question of a study's case. Throws pfv::InputError.
+pfv::Case problem_of(const StudyCase& one);
+
 /// Reads the question of a study's case and writes it out in full, once: a generated packing is not generated again
 /// while its question and `generation` (what the generators' results depend on) stay the same. Throws pfv::InputError
 /// led by the place in the study.

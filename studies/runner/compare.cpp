@@ -46,20 +46,6 @@ std::optional<Difference> rms_of(const std::optional<BoundedField>& field, const
                     no_mesh ? reference_error : sum(relative(field->error), reference_error), reference_error};
 }
 
-/// The field moved by a constant so that its mean is the reference's, over the places where both are known.
-BoundedField at_level_of(const BoundedField& reference, BoundedField field) {
-  double sum = 0;
-  std::size_t known = 0;
-  for (std::size_t i = 0; i < std::min(field.values.size(), reference.values.size()); ++i)
-    if (const double difference = field.values[i] - reference.values[i]; !std::isnan(difference)) {
-      sum += difference;
-      ++known;
-    }
-  for (double& value : field.values)
-    value -= sum / static_cast<double>(std::max<std::size_t>(known, 1));
-  return field;
-}
-
 bool agrees(const Difference& difference, double tolerance) {
   const double size = std::abs(difference.value);
   return size <= tolerance || (difference.error && size <= *difference.error) || difference.unresolved();
@@ -124,6 +110,19 @@ void compare_quantities(const Finding& finding, const Finding& reference, const 
 }
 
 } // namespace
+
+BoundedField at_level_of(const BoundedField& reference, BoundedField field) {
+  double sum = 0;
+  std::size_t known = 0;
+  for (std::size_t i = 0; i < std::min(field.values.size(), reference.values.size()); ++i)
+    if (const double difference = field.values[i] - reference.values[i]; !std::isnan(difference)) {
+      sum += difference;
+      ++known;
+    }
+  for (double& value : field.values)
+    value -= sum / static_cast<double>(std::max<std::size_t>(known, 1));
+  return field;
+}
 
 bool Difference::unresolved() const {
   return reference_error && std::abs(value) < *reference_error;

@@ -48,6 +48,9 @@ struct Comparison {
 double rms(std::span<const double> values);
 double rms_difference(std::span<const double> values, std::span<const double> reference);
 
+/// The field moved by a constant so that its mean is the reference's, over the places where both are known.
+BoundedField at_level_of(const BoundedField& reference, BoundedField field);
+
 /// `reference` is what the reference method found on the same case; pass a null pointer when it was not asked.
 Comparison compare(const Finding& finding, const std::string& reference_method, const Finding* reference,
                    const Tolerance& tolerance);

@@ -38,11 +38,11 @@ Answers read_answers(std::vector<Row>& rows, const std::filesystem::path& answer
   return read;
 }
 
-Field components(const reference::Answer& answer) {
-  if (!answer.sphere_forces)
+Field components(const std::optional<std::vector<pfv::Vec3>>& forces) {
+  if (!forces)
     return std::nullopt;
   std::vector<double> list;
-  for (const pfv::Vec3& force : *answer.sphere_forces)
+  for (const pfv::Vec3& force : *forces)
     list.insert(list.end(), {force.x(), force.y(), force.z()});
   return list;
 }
@@ -135,7 +135,10 @@ Finding find(std::vector<Row> rows, const std::filesystem::path& answers) {
     finding.bridge_error = bridge_error_of_finest(rows, read);
     *finding.permeability->error += finding.bridge_error * std::abs(finding.permeability->value);
   }
-  finding.forces = bounded(rows, read, components);
+  finding.forces =
+      bounded(rows, read, [](const reference::Answer& answer) { return components(answer.sphere_forces); });
+  finding.viscous_forces =
+      bounded(rows, read, [](const reference::Answer& answer) { return components(answer.sphere_viscous_forces); });
   finding.pore_pressures = bounded(rows, read, pore_pressures);
   finding.throat_fluxes = bounded(rows, read, [](const reference::Answer& answer) { return answer.facet_fluxes; });
   finding.pressure_drop = count_in(read, reference::pressure_drop_count);

@@ -20,6 +20,7 @@ struct Finding {
   std::vector<Row> rows; // coarse to fine, answered or not, at least one
   std::optional<Bounded> permeability;
   std::optional<BoundedField> forces = {};         // N, x y z sphere by sphere
+  std::optional<BoundedField> viscous_forces = {}; // N, likewise, the part of the shear in them
   std::optional<BoundedField> pore_pressures = {}; // Pa, at the centres of PFV's pores
   std::optional<BoundedField> throat_fluxes = {};  // m^3/s, through PFV's throats
   std::optional<double> sauter_diameter = {};      // m, of the packing, where the method says it

@@ -1,7 +1,6 @@
-#include "pfv/problem/case.hpp"
-#include "reference/temporary_folder.hpp"
-#include "studies/runner/files.hpp"
 #include "studies/runner/packing_picture.hpp"
+
+#include "studies/runner/case_store.hpp"
 
 #include <fmt/format.h>
 
@@ -32,13 +31,6 @@ std::vector<double> magnitudes(const std::vector<double>& components) {
   return list;
 }
 
-pfv::Packing packing_of(const StudyCase& one) {
-  const reference::TemporaryFolder folder("case");
-  const auto file = folder.path() / "case.toml";
-  write_file(file, one.toml);
-  return pfv::read_case(file).packing;
-}
-
 } // namespace
 
 std::vector<Figure> packing_figures(const Study& study, std::span<const Result> results) {
@@ -53,7 +45,7 @@ std::vector<Figure> packing_figures(const Study& study, std::span<const Result> 
       continue;
     Figure figure{fmt::format("{}: {} {}", one.label, spheres, spheres == 1 ? "sphere" : "spheres"), ""};
     try {
-      const pfv::Packing packing = packing_of(one);
+      const pfv::Packing packing = problem_of(one).packing;
       const Finding* forces = with_forces(study, results, one.id);
       std::vector<double> values = forces ? magnitudes(forces->forces->values) : std::vector<double>{};
       if (values.size() != packing.spheres.size())

@@ -1,5 +1,7 @@
 #include "studies/runner/packing_picture.hpp"
 
+#include "studies/runner/colours.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,30 +18,6 @@ using pfv::Vec3;
 
 constexpr double width = 300, height = 300, margin = 12, bar_height = 44;
 constexpr int shades = 16;
-
-struct Colour {
-  double red, green, blue; // 0 ... 255
-};
-
-/// From violet over green to yellow, lighter all the way.
-Colour colour_of(double share) {
-  static constexpr std::array<Colour, 5> stops{
-      {{72, 40, 120}, {62, 84, 150}, {38, 140, 140}, {100, 190, 90}, {240, 220, 70}}};
-  const double at = std::clamp(share, 0.0, 1.0) * (stops.size() - 1);
-  const auto i = std::min<std::size_t>(static_cast<std::size_t>(at), stops.size() - 2);
-  const double t = at - static_cast<double>(i);
-  const auto mix = [&](double a, double b) { return a + t * (b - a); };
-  return {mix(stops[i].red, stops[i + 1].red), mix(stops[i].green, stops[i + 1].green),
-          mix(stops[i].blue, stops[i + 1].blue)};
-}
-
-/// Lighter above one, darker below.
-std::string lit(const Colour& colour, double light) {
-  const auto byte = [&](double value) {
-    return static_cast<int>(light > 1 ? value + (255 - value) * (light - 1) : value * light);
-  };
-  return fmt::format("#{:02x}{:02x}{:02x}", byte(colour.red), byte(colour.green), byte(colour.blue));
-}
 
 /// Onto the picture's plane; depth grows towards the eye.
 struct View {

@@ -84,14 +84,14 @@ StudyCase read_study_case(const toml::node& node, const std::filesystem::path& f
   one.methods = all_methods;
   one.budget = budget;
   if_present(table, "label", [&](auto& label) { one.label = pfv::as_text(label, "label"); });
-  if_present(table, "methods", [&](auto& list) { one.methods = as_methods_of(list, "methods", all_methods); });
+  if_present(table, "methods", [&](auto& list) { one.methods = as_some_of(list, "methods", all_methods); });
   if_present(table, "budget", [&](auto& own) { one.budget = as_budget(own, budget); });
   if_present(table, "mesh_sizes", [&](auto& own) { one.mesh_sizes = read_mesh_sizes(own, one.methods); });
   if_present(table, "quick", [&](const toml::node& quick) {
     if (const auto* flag = quick.as_boolean())
       one.quick_methods = flag->get() ? one.methods : std::vector<std::string>{};
     else
-      one.quick_methods = as_methods_of(quick, "quick", one.methods);
+      one.quick_methods = as_some_of(quick, "quick", one.methods);
   });
   if_present(table, "published", [&](auto& list) {
     for (const toml::node& figure : as_list(list, "published"))

@@ -1,5 +1,7 @@
 #include "studies/runner/report.hpp"
 
+#include "studies/places/places.hpp"
+#include "studies/runner/accuracy.hpp"
 #include "studies/runner/curve.hpp"
 #include "studies/runner/number_text.hpp"
 #include "studies/runner/own_error.hpp"
@@ -146,6 +148,25 @@ void add_curves(const Study& study, std::span<const Result> list, Document& page
   }
 }
 
+void add_accuracy(const Study& study, std::span<const Result> list, Document& page) {
+  Table table = accuracy_table(study, list);
+  if (table.rows.empty())
+    return;
+  page.add(Heading{"CPU seconds to be within an error"});
+  page.add(Paragraph{fmt::format(
+      "Of the coarsest mesh, meshing included, whose permeability, and that of all finer ones, is so near to the "
+      "extrapolated one of {0} that its distance and the error of {0} are within the level together: the median over "
+      "the cases, and in how many of those asked if not in all. *Extrapolated*: from all its meshes, which costs them "
+      "all. A level that is less than twice the error of {0} tells nothing.",
+      study.reference)});
+  page.add(std::move(table));
+  Plot plot = error_plot(study, list);
+  plot.width = 820;
+  plot.height = 520;
+  if (!plot.empty())
+    page.add(std::move(plot));
+}
+
 constexpr std::size_t long_list = 40; // more lines than this are folded
 
 } // namespace
@@ -162,11 +183,12 @@ Document report(const Study& study, const Scope& scope, std::span<const Row> row
   }
   page.add(Paragraph{std::string(outcome_lead) + outcome(study, list)});
   add_curves(study, list, page);
+  add_accuracy(study, list, page);
   page.add(Heading{"Results"});
   if (!study.curve) // a line for each case would be longer than the curves
     for (const Plot& plot : permeability_plots(study, list))
       page.add(plot);
-  if (Plot plot = error_plot(study, list); !plot.empty())
+  if (Plot plot = error_plot(study, list); !study.accuracy && !plot.empty())
     page.add(plot);
   for (const Figure& figure : packing_figures(study, list))
     page.add(figure);
@@ -176,6 +198,7 @@ Document report(const Study& study, const Scope& scope, std::span<const Row> row
     page.add(std::move(table));
   add_how_to_read(study, page);
   add_scaling(study, list, page);
+  add_places(study, list, page);
   const Heading says{"What the comparisons say"};
   const List sentences = outcome_sentences(study, list);
   if (sentences.items.size() > long_list)

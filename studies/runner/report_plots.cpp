@@ -139,7 +139,7 @@ Plot error_plot(const Study& study, std::span<const Result> results) {
             "cases, with the reference's own error as bars; large ones: medians over the cases, from coarse to fine "
             "meshes. Dashed: none of these medians is both faster and closer.",
             {"CPU seconds", Scale::logarithmic},
-            {"|k - k of the reference| / k of the reference", Scale::logarithmic},
+            {"relative error of k", Scale::logarithmic},
             {}};
   if (study.scaling) // asks for cost, not for errors
     return plot;

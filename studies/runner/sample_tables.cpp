@@ -82,7 +82,7 @@ void add_samples(const pfv::Case& problem, const Finding& finding, SampleTables&
   for (std::size_t i = 0; i < network.pores.size(); ++i)
     tables.pores += fmt::format("{},{},{},{}\n", finding.case_id, place(network.pores.centre[i]),
                                 number(network.pores.void_volume[i]), number(finding.pore_pressures->values[i]));
-  add_throats(network, facets, drop, pfv::index(setup->axis), finding, tables.throats);
+  add_throats(network, facets, setup->pressure_drop.value_or(0), pfv::index(setup->axis), finding, tables.throats);
 }
 
 } // namespace studies

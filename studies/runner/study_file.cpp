@@ -40,10 +40,22 @@ Scaling read_scaling(const toml::table& table, const std::vector<std::string>& m
 Curve read_curve(const toml::table& table, const std::vector<std::string>& methods) {
   pfv::allow_keys(table, "[curve]", {"lines", "compared_with"});
   Curve curve;
-  if_present(table, "lines", [&](auto& node) { curve.lines = as_methods_of(node, "lines", methods); });
+  if_present(table, "lines", [&](auto& node) { curve.lines = as_some_of(node, "lines", methods); });
   if_present(table, "compared_with",
              [&](auto& node) { curve.compared_with = as_one_of(node, "compared_with", methods); });
   return curve;
+}
+
+Accuracy read_accuracy(const toml::table& table) {
+  pfv::allow_keys(table, "[accuracy]", {"levels"});
+  return {as_mesh_sizes(pfv::required(table, "[accuracy]", "levels"), "levels")};
+}
+
+std::vector<PlaceKind> as_places(const toml::node& node) {
+  std::vector<PlaceKind> kinds;
+  for (const std::string& name : as_some_of(node, "places", {"pores", "spheres", "throats"}))
+    kinds.push_back(name == "pores" ? PlaceKind::pores : name == "spheres" ? PlaceKind::spheres : PlaceKind::throats);
+  return kinds;
 }
 
 int as_ranks(const toml::node& node, const std::string& method) {
@@ -82,7 +94,7 @@ Study read_study(const std::filesystem::path& file) {
   const toml::table root = pfv::read_toml(file);
   pfv::allow_keys(root, "a study",
                   {"title", "question", "reference", "published_source", "tolerance", "budget", "samples", "scaling",
-                   "curve", "method", "case"});
+                   "curve", "accuracy", "places", "method", "case"});
   Study study;
   study.folder = std::filesystem::absolute(file).parent_path();
   study.name = study.folder.filename().string();
@@ -99,6 +111,10 @@ Study read_study(const std::filesystem::path& file) {
       fail_at(node, fmt::format("samples \"{}\" must be true or false", pfv::quote(node)));
     study.samples = *flag;
   });
+  if_present(root, "places", [&](auto& node) {
+    study.places = as_places(node);
+    study.samples = true;
+  });
 
   const toml::node& methods = pfv::required(root, "the study", "method");
   std::vector<std::string> names;
@@ -112,6 +128,8 @@ Study read_study(const std::filesystem::path& file) {
   if_present(root, "scaling", [&](auto& node) { study.scaling = read_scaling(pfv::as_table(node, "scaling"), names); });
 
   if_present(root, "curve", [&](auto& node) { study.curve = read_curve(pfv::as_table(node, "curve"), names); });
+
+  if_present(root, "accuracy", [&](auto& node) { study.accuracy = read_accuracy(pfv::as_table(node, "accuracy")); });
 
   Budget budget;
   if_present(root, "budget", [&](auto& node) { budget = as_budget(node, budget); });

@@ -56,6 +56,16 @@ struct Curve {
   bool operator==(const Curve&) const = default;
 };
 
+/// Asks how cheap each method is at being within these relative errors of the permeability, falling.
+struct Accuracy {
+  std::vector<double> levels;
+
+  bool operator==(const Accuracy&) const = default;
+};
+
+/// Where methods are looked at one by one.
+enum class PlaceKind { pores, spheres, throats };
+
 /// One question, asked of several methods on several cases.
 struct Study {
   std::string name;             // of its folder
@@ -65,10 +75,13 @@ struct Study {
   std::string reference;        // method all others are compared with
   std::string published_source; // of the published figures; empty without any
   Tolerance tolerance;
-  bool samples = false; // whether methods give pressures at PFV's pores and along lines, and fluxes through its throats
+  bool samples = false; // of pores and throats: whether methods give pressures at PFV's pores and along lines, and
+                        // fluxes through its throats
   std::optional<Scaling> scaling;
   std::optional<Curve> curve = {};
-  std::vector<StudyMethod> methods; // in the order of the tables
+  std::optional<Accuracy> accuracy = {};
+  std::vector<PlaceKind> places = {}; // to be reported one by one; any asks for samples
+  std::vector<StudyMethod> methods;   // in the order of the tables
   std::vector<StudyCase> cases;
 };
 

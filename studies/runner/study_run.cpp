@@ -164,7 +164,10 @@ std::vector<Row> run_study(const Study& study, const Scope& scope, const RunSett
     if (!cases.contains(planned.case_id)) {
       onlooker.preparing(planned.case_id);
       const StudyCase& one = case_of(study, planned.case_id);
-      cases.emplace(one.id, store_case(one, settings.work.cases(), digest_of_sources({"pfv/problem"})));
+      const auto stored =
+          cases.emplace(one.id, store_case(one, settings.work.cases(), digest_of_sources({"pfv/problem"})));
+      for (const std::string& note : stored.first->second.problem.notes)
+        onlooker.noticed(fmt::format("{}: {}", one.id, note));
     }
     const StoredCase& stored = cases.at(planned.case_id);
     const Budget& budget = case_of(study, planned.case_id).budget;

@@ -42,8 +42,8 @@ std::string as_one_of(const toml::node& node, std::string_view key, const std::v
   return name;
 }
 
-std::vector<std::string> as_methods_of(const toml::node& node, std::string_view key,
-                                       const std::vector<std::string>& valid) {
+std::vector<std::string> as_some_of(const toml::node& node, std::string_view key,
+                                    const std::vector<std::string>& valid) {
   std::vector<std::string> names;
   for (const toml::node& entry : as_list(node, key))
     names.push_back(as_one_of(entry, key, valid));

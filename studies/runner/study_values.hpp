@@ -30,8 +30,8 @@ std::vector<double> as_mesh_sizes(const toml::node& node, std::string_view name)
 
 /// A text out of `valid`, or a list of such.
 std::string as_one_of(const toml::node& node, std::string_view key, const std::vector<std::string>& valid);
-std::vector<std::string> as_methods_of(const toml::node& node, std::string_view key,
-                                       const std::vector<std::string>& valid);
+std::vector<std::string> as_some_of(const toml::node& node, std::string_view key,
+                                    const std::vector<std::string>& valid);
 
 /// A table with any of Budget's keys; what it does not name is that of `otherwise`.
 Budget as_budget(const toml::node& node, const Budget& otherwise);

@@ -32,7 +32,7 @@ void give_unit(const std::string& title, Number& number) {
   const bool micro = says("µs"), milli = says("ms per"), nano = says("ns per");
   if (says("bytes"))
     number.unit = Unit::bytes;
-  else if (says("%") || says("percent"))
+  else if (says(", %") || says("percent"))
     number.unit = Unit::percent;
   else if (micro || milli || nano || title.ends_with(" s") || says("CPU s") || says("cpu_s")) {
     number.unit = Unit::seconds;

@@ -19,6 +19,7 @@ Answer full_answer() {
   answer.face_flux = {-1e-300, 1.7976931348623157e308, 0, -0.1, 5e-324, 2};
   answer.porosity = 0.1 + 0.2;
   answer.sphere_forces = std::vector<pfv::Vec3>{{1.0 / 7, -2e-9, 0}, {3, 4, 5}};
+  answer.sphere_viscous_forces = std::vector<pfv::Vec3>{{1e-9, 0, 0.1}, {1, 2, 0}};
   answer.wall_forces.emplace();
   answer.wall_forces->fill({0.1, 0.2, 0.3});
   answer.stages = {{"mesh", 1.5}, {"solve", 0.1}};
@@ -35,6 +36,7 @@ void expect_equal(const Answer& a, const Answer& b) {
   EXPECT_EQ(a.face_flux, b.face_flux);
   EXPECT_EQ(a.porosity, b.porosity);
   EXPECT_EQ(a.sphere_forces, b.sphere_forces);
+  EXPECT_EQ(a.sphere_viscous_forces, b.sphere_viscous_forces);
   EXPECT_EQ(a.wall_forces, b.wall_forces);
   EXPECT_EQ(a.stages, b.stages);
   EXPECT_EQ(a.counts, b.counts);
@@ -48,7 +50,7 @@ TEST(AnswerJson, ReadsBackToTheSameBits) {
 TEST(AnswerJson, KeepsWhatIsAbsentAbsent) {
   const Answer empty;
   const std::string text = to_json(empty);
-  for (const char* key : {"permeability", "porosity", "sphere_forces", "wall_forces"})
+  for (const char* key : {"permeability", "porosity", "sphere_forces", "sphere_viscous_forces", "wall_forces"})
     EXPECT_FALSE(nlohmann::json::parse(text).contains(key)) << key;
   expect_equal(answer_from_json(text), empty);
 }

@@ -51,6 +51,19 @@ TEST_F(Program, AnswersAndReports) {
   EXPECT_EQ(output.err.find('\033'), std::string::npos) << "escape codes without a terminal";
 }
 
+TEST_F(Program, SaysWhatTheReaderOfAPackingNoticed) {
+  folder_.write("p.dump", "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp ff ff\n0 1\n0 1\n0 1\n"
+                          "ITEM: ATOMS id x y z radius\n1 0.5 0.5 0.5 0.2\n");
+  std::string text = study_text;
+  const std::size_t second = text.rfind("packing = ");
+  text.replace(second, text.find('\n', second) - second, "packing = { file = \"p.dump\" }");
+  write_study(text);
+  const StudyOutput output = run();
+  EXPECT_EQ(output.exit_code, 0) << output.err;
+  EXPECT_NE(output.err.find("two: "), std::string::npos) << output.err;
+  EXPECT_NE(output.err.find("its box repeats along x"), std::string::npos) << output.err;
+}
+
 TEST(Index, HasALineForEveryStudy) {
   const TemporaryFolder folder;
   const StudyOutput output = study({"index", "--to", folder.path().string()});

@@ -3,6 +3,7 @@
 #include "support/temporary_file.hpp"
 #include "support/temporary_folder.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -69,6 +70,24 @@ TEST(RunCommand, RunsASceneWithFluid) {
     EXPECT_TRUE(json["stages"].contains(stage)) << stage;
   EXPECT_GT(json["energy"]["loads"], 0);
   EXPECT_FALSE(answer(scene.path().string() + " --until 0.1 --scheme semi-implicit").contains("viscous_limit"));
+}
+
+TEST(RunCommand, SavesWhatItHasWhenItIsInterrupted) {
+  const TemporaryFile scene("long.toml", grains + "[gravity]\nacceleration = [0, 0, -9.81]\n");
+  const TemporaryFile saved("long.checkpoint", ""), history("long.csv", "");
+  const auto stopped = [&](const std::string& arguments) {
+    return run_program("timeout --preserve-status -s INT 2 " PFV_PROGRAM " run " + scene.path().string() + arguments);
+  };
+  const std::string save = " --save " + saved.path().string();
+  const auto result = stopped(" --until 1e9 --json --history " + history.path().string() + save);
+  expect_one_line(result, 130, "saved at");
+  const auto steps = nlohmann::json::parse(result.output)["steps"].get<long long>();
+  EXPECT_GT(steps, 0);
+  EXPECT_EQ(lines_of(history.path().string()), 1 + steps / 100);
+  const auto more =
+      answer(scene.path().string() + fmt::format(" --steps {} --restart {}", steps + 1, saved.path().string()));
+  EXPECT_EQ(more["steps"], steps + 1);
+  expect_one_line(stopped(" --until 1e9"), 130, "without --save there is nothing to go on from");
 }
 
 TEST(RunCommand, PreparesAPackingToStartFrom) {

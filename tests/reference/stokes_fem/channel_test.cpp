@@ -62,6 +62,8 @@ void expect_exact(const Channel& channel) {
   const auto& plates = *answer.sphere_forces;
   EXPECT_LT((plates[0] - Vec3(-push, 0, -drive / 2)).norm(), tolerance * scale);
   EXPECT_LT((plates[1] - Vec3(push, 0, -drive / 2)).norm(), tolerance * scale);
+  for (const Vec3& shear : *answer.sphere_viscous_forces)
+    EXPECT_LT((shear - Vec3(0, 0, -drive / 2)).norm(), tolerance * scale);
 }
 
 } // namespace
