@@ -16,6 +16,23 @@ std::string words(const Vec3& v) {
   return fmt::format("{:g} {:g} {:g}", v.x(), v.y(), v.z());
 }
 
+std::string words(double value) {
+  return fmt::format("{:g}", value);
+}
+
+/// Its name and the values of its keys.
+std::string words(const BodyForce& force) {
+  std::string text(name_of(force));
+  std::visit(
+      [&](auto is) {
+        for_each_key(is, [&](std::string_view, auto& value, std::string_view unit) {
+          text += fmt::format(", {} {}", words(value), unit);
+        });
+      },
+      force);
+  return text;
+}
+
 std::string words(const StepLimits& limits) {
   std::string text = fmt::format("{:.3g} s of the contacts", limits.contact);
   if (limits.viscous)
@@ -48,10 +65,8 @@ std::vector<std::string> effects_of(const Scene& scene) {
                                   grains.cohesion->shear_strength));
   if (grains.damping.share > 0)
     effects.push_back(fmt::format("local damping, {:g}", grains.damping.share));
-  if (grains.gravity)
-    effects.push_back(fmt::format("gravity, {} m/s^2", words(grains.gravity->acceleration)));
-  if (grains.buoyancy)
-    effects.push_back(fmt::format("buoyancy, {:g} kg/m^3", grains.buoyancy->fluid_density));
+  for (const BodyForce& force : grains.forces)
+    effects.push_back(words(force));
   if (grains.lubrication) {
     std::vector<std::string_view> resists;
     for (const FilmMotion motion : grains.lubrication->resists)

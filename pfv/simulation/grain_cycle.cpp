@@ -9,25 +9,6 @@
 
 namespace pfv {
 
-namespace {
-
-/// N, of weight and buoyancy; empty without either.
-std::vector<Vec3> weights(const Grains& grains, const GrainScene& scene) {
-  std::vector<Vec3> weight;
-  if (!scene.gravity && !scene.buoyancy)
-    return weight;
-  weight.assign(grains.size(), Vec3::Zero());
-  for (std::size_t i = 0; i < grains.size(); ++i) {
-    if (scene.gravity)
-      weight[i] += grains.mass[i] * scene.gravity->acceleration;
-    if (scene.buoyancy)
-      weight[i] -= scene.buoyancy->fluid_density * volume(grains.sphere(i)) * scene.buoyancy->gravity;
-  }
-  return weight;
-}
-
-} // namespace
-
 GrainCycle::GrainCycle(const Packing& packing, const GrainScene& of_scene)
     : GrainCycle(grains_of(packing, of_scene.density, of_scene.walls.periodic), of_scene) {}
 
@@ -41,7 +22,7 @@ void GrainCycle::set_scene(const GrainScene& next) {
   scene = next;
   contacts.set_law(scene.law, scene.walls.friction);
   set_films();
-  weight = weights(grains, scene);
+  weight = sum_of(scene.forces, grains, time);
   for (const Face face : all_faces) {
     const auto* moving = std::get_if<MovingWall>(&scene.walls.motion[index(face)]);
     if (moving || std::holds_alternative<FixedWall>(scene.walls.motion[index(face)]))
@@ -67,6 +48,8 @@ void GrainCycle::load(double step, Clock& clock) {
     energy.friction += losses.friction;
     energy.contact_damping += losses.damping;
     broken_bonds += losses.broken_bonds;
+    if (changes(scene.forces))
+      weight = sum_of(scene.forces, grains, time);
     for (std::size_t i = 0; i < weight.size(); ++i)
       loads[i].force += weight[i];
   }

@@ -4,17 +4,11 @@
 #include "pfv/grains/contacts.hpp"
 #include "pfv/grains/films.hpp"
 #include "pfv/grains/motion.hpp"
-#include "pfv/problem/case.hpp"
+#include "pfv/simulation/body_forces.hpp"
 
 #include <optional>
 
 namespace pfv {
-
-struct Gravity {
-  Vec3 acceleration; // m/s^2
-
-  bool operator==(const Gravity&) const = default;
-};
 
 /// What the grains are and what they do to one another.
 struct GrainScene {
@@ -23,8 +17,7 @@ struct GrainScene {
   Walls walls;
   LocalDamping damping;
   std::optional<Cohesion> cohesion;
-  std::optional<Gravity> gravity;
-  std::optional<Buoyancy> buoyancy;
+  std::vector<BodyForce> forces; // gravity and others
   std::optional<Lubrication> lubrication;
 
   bool operator==(const GrainScene&) const = default;
@@ -34,7 +27,7 @@ struct GrainScene {
 /// losses.
 struct EnergyBalance {
   double loads = 0;    // work of the stresses on loaded walls and of walls that move at a velocity
-  double gravity = 0;  // work of the weight, less that of the displaced fluid
+  double gravity = 0;  // work of the body forces: of the weight, less that of the displaced fluid
   double friction = 0; // lost in contacts that slip
   double contact_damping = 0;
   double local_damping = 0;
@@ -81,7 +74,7 @@ public:
   Contacts contacts;
   GrainScene scene;
   std::optional<Films> films;
-  std::vector<Vec3> weight; // N, with buoyancy; empty without either
+  std::vector<Vec3> weight; // N, sum of the body forces in the last load; empty without any
   std::vector<Load> loads;
   std::array<double, 6> on_wall{}; // N, along the axis
   EnergyBalance energy;

@@ -5,6 +5,7 @@
 #include "pfv/problem/read_parts.hpp"
 #include "pfv/problem/text.hpp"
 #include "pfv/problem/toml_input.hpp"
+#include "pfv/problem/validate.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -135,6 +136,48 @@ Lubrication read_lubrication(const toml::table& table, const toml::table& root) 
   return films;
 }
 
+template <typename Force>
+void read_body_force(const toml::table& root, std::vector<BodyForce>& forces) {
+  const auto* table = part(root, Force::name);
+  if (!table)
+    return;
+  const std::string place = fmt::format("[{}]", Force::name);
+  Force read;
+  std::vector<std::string_view> keys;
+  for_each_key(read, [&](std::string_view key, auto&, std::string_view) { keys.push_back(key); });
+  for (const auto& [key, node] : *table)
+    if (std::ranges::find(keys, key.str()) == keys.end())
+      fail_at(node, fmt::format("unknown key \"{}\" in {}; valid keys: {}", key.str(), place, fmt::join(keys, ", ")));
+  for_each_key(read, [&](std::string_view key, auto& value, std::string_view) {
+    const toml::node& node = required(*table, place, key);
+    if constexpr (std::is_same_v<std::remove_reference_t<decltype(value)>, Vec3>)
+      value = as_vector(node, key);
+    else
+      value = as_number(node, key);
+  });
+  if constexpr (requires { validate(read); })
+    located(*table, [&] { validate(read); });
+  forces.push_back(read);
+}
+
+/// One for each table that is there, in the order of the variant.
+template <std::size_t... i>
+std::vector<BodyForce> read_body_forces(const toml::table& root, std::index_sequence<i...>) {
+  std::vector<BodyForce> forces;
+  (read_body_force<std::variant_alternative_t<i, BodyForce>>(root, forces), ...);
+  return forces;
+}
+
+template <std::size_t... i>
+void allow_tables(const toml::table& root, std::index_sequence<i...>) {
+  allow_keys(root, "a scene",
+             {"name", "packing", "grains", "contact", "walls", "local_damping", "cohesion",
+              std::variant_alternative_t<i, BodyForce>::name..., "lubrication", "fluid", "flow", "faces",
+              "pressure_points", "compressible_fluid", "pfv", "run"});
+}
+
+constexpr std::make_index_sequence<std::variant_size_v<BodyForce>> each_body_force;
+
 GrainScene read_grains(const toml::table& root, const Packing& packing) {
   GrainScene grains;
   if (const auto* table = part(root, "grains")) {
@@ -158,11 +201,7 @@ GrainScene read_grains(const toml::table& root, const Packing& packing) {
     required(*table, "[cohesion]", "shear_strength");
     grains.cohesion = Cohesion{number(*table, "tensile_strength", 0, 0), number(*table, "shear_strength", 0, 0)};
   }
-  if (const auto* table = part(root, "gravity")) {
-    allow_keys(*table, "[gravity]", {"acceleration"});
-    grains.gravity = Gravity{as_vector(required(*table, "[gravity]", "acceleration"), "acceleration")};
-  }
-  grains.buoyancy = read_buoyancy(root);
+  grains.forces = read_body_forces(root, each_body_force);
   if (const auto* table = part(root, "lubrication"))
     grains.lubrication = read_lubrication(*table, root);
   return grains;
@@ -251,9 +290,7 @@ Duration read_run(const toml::table& table, Scene& scene) {
 
 SceneFile read_scene(const std::filesystem::path& file) {
   const toml::table root = read_toml(file);
-  allow_keys(root, "a scene",
-             {"name", "packing", "grains", "contact", "walls", "local_damping", "cohesion", "gravity", "buoyancy",
-              "lubrication", "fluid", "flow", "faces", "pressure_points", "compressible_fluid", "pfv", "run"});
+  allow_tables(root, each_body_force);
   SceneFile read;
   Scene& scene = read.scene;
   scene.name = file.stem().string();

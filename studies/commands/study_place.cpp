@@ -2,6 +2,7 @@
 
 #include "pfv/problem/error.hpp"
 #include "studies/motion/experiment.hpp"
+#include "studies/runner/places.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,7 +12,7 @@
 namespace studies {
 
 std::filesystem::path studies_folder() {
-  return STUDIES_FOLDER;
+  return source_of_studies;
 }
 
 std::filesystem::path study_file(const std::string& name) {

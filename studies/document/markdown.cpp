@@ -138,6 +138,7 @@ Document from_markdown(std::string_view text) {
       document.blocks.push_back(block_of(lines));
     lines.clear();
   };
+  bool in_comment = false;
   while (!text.empty()) {
     const auto length = std::min(text.find('\n'), text.size());
     const std::string_view line = text.substr(0, length);
@@ -148,6 +149,11 @@ Document from_markdown(std::string_view text) {
       lines.push_back(line);
       if (in_code && line == "```")
         end_block();
+      continue;
+    }
+    in_comment = in_comment || line.substr(std::min(line.find_first_not_of(' '), line.size())).starts_with("<!--");
+    if (in_comment) {
+      in_comment = line.find("-->") == line.npos;
       continue;
     }
     if (line.empty() || line.starts_with('#'))

@@ -12,7 +12,7 @@ namespace studies {
 std::string to_markdown(const Document& document);
 
 /// Reads what to_markdown writes, no more of Markdown than that: to_markdown(from_markdown(text)) is the text again.
-/// What was folded no longer is.
+/// What was folded no longer is, and lines of a comment, from <!-- to -->, are left out.
 Document from_markdown(std::string_view text);
 
 } // namespace studies

@@ -17,8 +17,7 @@ GrainScene bed_grains(const Bed& bed, double local_damping) {
   scene.walls.periodic = sideways;
   scene.walls.friction = bed.friction;
   scene.damping.share = local_damping;
-  scene.gravity = Gravity{{0, 0, -bed.gravity}};
-  scene.buoyancy = Buoyancy{bed.fluid_density, {0, 0, -bed.gravity}};
+  scene.forces = {Gravity{{0, 0, -bed.gravity}}, BuoyancyOfGrains{{bed.fluid_density, {0, 0, -bed.gravity}}}};
   if (bed.lubricated)
     scene.lubrication = Lubrication{bed.viscosity};
   return scene;

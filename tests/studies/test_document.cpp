@@ -33,6 +33,11 @@ TEST(Markdown, ReadsWhatItWrites) {
   EXPECT_EQ(to_markdown(from_markdown("# t\n```\nnever closed")), "# t\n\n```\nnever closed\n```\n");
 }
 
+TEST(Markdown, LeavesCommentsOut) {
+  EXPECT_EQ(to_markdown(from_markdown("# t\n\n- a\n  b\n  <!--\n  c\n  -->\n<!-- d -->\n\ne\n")),
+            "# t\n\n- a\n  b\n\ne\n");
+}
+
 TEST(Markdown, KeepsCellsAndSides) {
   const Document page = from_markdown(to_markdown(example_document()));
   for (const Block& block : page.blocks)

@@ -5,6 +5,7 @@
 #include "reference/temporary_folder.hpp"
 #include "studies/motion/stability/original.hpp"
 #include "studies/runner/files.hpp"
+#include "studies/runner/places.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +38,7 @@ Words pfv_says(const std::string& file_name, const std::string& text) {
   const reference::TemporaryFolder folder("refusal");
   write_file(folder.path() / file_name, text);
   const auto child =
-      meshing::run_child({"/bin/sh", "-c", "exec \"$0\" permeability \"$1\" >out 2>error", PFV_PROGRAM, file_name},
+      meshing::run_child({"/bin/sh", "-c", "exec \"$0\" permeability \"$1\" >out 2>error", pfv_program, file_name},
                          {.working_folder = folder.path(), .wall_limit = 60});
   return {child.exit_code, read_text(folder.path() / "out"), read_text(folder.path() / "error")};
 }

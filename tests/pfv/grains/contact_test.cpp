@@ -111,7 +111,7 @@ TEST(Contact, ConservesMomentumAndAngularMomentum) {
 GrainCycle grain_on_floor(double wall_friction, double push) {
   GrainScene scene = springs();
   scene.walls.friction = wall_friction;
-  scene.gravity = Gravity{Vec3(push, 0, -10)};
+  scene.forces = {Gravity{Vec3(push, 0, -10)}};
   const double mass = density * 4 * std::numbers::pi / 3 * radius * radius * radius;
   const double sunk = 10 * mass / stiffness;
   return {Packing{{Vec3(-10, -10, 0), Vec3::Constant(10)}, {{Vec3(0, 0, radius - sunk), radius}}}, scene};

@@ -50,7 +50,7 @@ void expect_balance(const ContactLaw& law, double share) {
   GrainScene scene;
   scene.law = law;
   scene.damping = {0.1};
-  scene.gravity = Gravity{Vec3(0, 0, -9.81)};
+  scene.forces = {Gravity{Vec3(0, 0, -9.81)}};
   scene.walls.motion[index(Face::z_max)] = LoadedWall{2000, 500};
   scene.walls.motion[index(Face::x_min)] = MovingWall{0.01};
   scene.walls.friction = 0.2;

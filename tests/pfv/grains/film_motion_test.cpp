@@ -28,7 +28,7 @@ void run(GrainCycle& cycle, double step, int steps) {
 /// A grain `gap` above the floor, with its weight.
 GrainCycle falling(double viscosity, double gap) {
   GrainScene scene = suspended(viscosity);
-  scene.gravity = Gravity{Vec3(0, 0, -10)};
+  scene.forces = {Gravity{Vec3(0, 0, -10)}};
   return {Packing{{Vec3(-9, -9, 0), Vec3::Constant(9)}, {{Vec3(0, 0, radius + gap), radius}}}, scene};
 }
 
@@ -73,7 +73,7 @@ GrainCycle shaken(double viscosity) {
   GrainScene scene;
   scene.law = LinearSprings{1e6, 0.5, {0.4, 0.05}};
   scene.damping = {0.05};
-  scene.gravity = Gravity{Vec3(0, 0, -9.81)};
+  scene.forces = {Gravity{Vec3(0, 0, -9.81)}};
   scene.walls.motion[index(Face::z_max)] = LoadedWall{2000, 500};
   scene.walls.motion[index(Face::x_min)] = MovingWall{0.01};
   scene.lubrication = Lubrication{viscosity};

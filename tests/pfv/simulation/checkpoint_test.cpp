@@ -53,7 +53,7 @@ Scene dry() {
   Scene scene = drained_box(60, 2, 1);
   scene.fluid.reset();
   scene.grains.law = LinearSprings{1e6, 0.5, {0.5, 0.1}};
-  scene.grains.gravity = Gravity{Vec3(0, 0, -9.81)};
+  scene.grains.forces = {Gravity{Vec3(0, 0, -9.81)}};
   scene.grains.damping.share = 0.2;
   scene.grains.walls.friction = 0.3;
   scene.grains.walls.motion[index(Face::x_min)] = MovingWall{0.02};
@@ -71,7 +71,7 @@ TEST(Checkpoint, BondsGoOnBitForBit) {
     sphere.radius *= 1.001;
   scene.grains.cohesion = Cohesion{100, 100};
   constexpr int steps = 40;
-  scene.grains.gravity = Gravity{Vec3(3, 0, -9.81)};
+  scene.grains.forces = {Gravity{Vec3(3, 0, -9.81)}};
   Simulation some_break(scene);
   advance(some_break, steps);
   const std::size_t broken = some_break.grains().broken_bonds;

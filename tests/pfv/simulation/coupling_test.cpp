@@ -161,8 +161,8 @@ TEST(Coupling, UpwardFlowCarriesTheBuoyantWeight) {
   Scene scene = drained_box(100, 1.35, 1);
   scene.fluid->faces[index(Face::z_min)] = Pressure{500};
   scene.grains.walls.motion[index(Face::z_max)] = FixedWall{};
-  scene.grains.gravity = Gravity{Vec3(0, 0, -9.81)};
-  scene.grains.buoyancy = Buoyancy{1000, Vec3(0, 0, -9.81)};
+  scene.grains.forces = {Gravity{Vec3(0, 0, -9.81)}};
+  scene.grains.forces.push_back(BuoyancyOfGrains{{1000, Vec3(0, 0, -9.81)}});
   Simulation simulation(scene);
   double weight = 0, up = 0;
   simulation.advance();

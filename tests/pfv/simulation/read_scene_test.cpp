@@ -22,8 +22,7 @@ TEST(ReadScene, NamesNothingThatIsNotWritten) {
   const Scene scene = read(packing).scene;
   EXPECT_EQ(scene.packing.spheres.size(), 10u);
   EXPECT_FALSE(scene.fluid);
-  EXPECT_FALSE(scene.grains.gravity);
-  EXPECT_FALSE(scene.grains.buoyancy);
+  EXPECT_TRUE(scene.grains.forces.empty());
   EXPECT_FALSE(scene.grains.cohesion);
   EXPECT_FALSE(scene.grains.lubrication);
   EXPECT_EQ(scene.grains.damping.share, 0);
@@ -79,8 +78,8 @@ step = 1e-3
   EXPECT_EQ(grains.walls.motion[index(Face::z_max)], WallMotion(LoadedWall{5e3, 2}));
   EXPECT_EQ(grains.damping.share, 0.3);
   EXPECT_EQ(grains.cohesion, (Cohesion{1e4, 2e4}));
-  EXPECT_EQ(grains.gravity, Gravity{Vec3(0, 0, -9.81)});
-  EXPECT_EQ(grains.buoyancy, (Buoyancy{1000, Vec3(0, 0, -9.81)}));
+  EXPECT_EQ(grains.forces,
+            (std::vector<BodyForce>{Gravity{Vec3(0, 0, -9.81)}, BuoyancyOfGrains{{1000, Vec3(0, 0, -9.81)}}}));
   EXPECT_EQ(grains.lubrication, (Lubrication{10, 1e-3, 0.1, {FilmMotion::normal, FilmMotion::shear}}));
   ASSERT_TRUE(file.scene.fluid);
   EXPECT_EQ(file.scene.fluid->fluid.viscosity, 10);
