@@ -18,8 +18,6 @@ namespace fs = std::filesystem;
 const fs::path project = PROJECT_FOLDER;
 const fs::path studies = project / "studies";
 
-// Left out until its new rows are published. TODO: empty.
-const std::set<std::string> left_out = {"laws"};
 
 /// What a study published: its report, or all CSV files where there is none.
 std::set<fs::path> results_of(const std::string& study) {
@@ -62,9 +60,6 @@ std::vector<Claim> claims_of(const fs::path& readme, const std::string& study) {
       continue;
     for (const std::string& source : sources_of(block))
       files.insert(fs::weakly_canonical(readme.parent_path() / source));
-    if (std::ranges::any_of(left_out,
-                            [&](const auto& name) { return files.contains(studies / name / "results/report.md"); }))
-      continue;
     Claim claim{readme.string() + ":" + std::to_string(block.line), block, {}};
     for (const fs::path& file : files)
       claim.results.push_back(read_committed(file));
@@ -77,9 +72,8 @@ std::vector<Claim> claims_of(const fs::path& readme, const std::string& study) {
 std::vector<Claim> all_claims() {
   std::vector<Claim> claims = claims_of(project / "README.md", "");
   for (const std::string& study : studies_with_results())
-    if (!left_out.contains(study))
-      for (Claim& claim : claims_of(studies / study / "README.md", study))
-        claims.push_back(std::move(claim));
+    for (Claim& claim : claims_of(studies / study / "README.md", study))
+      claims.push_back(std::move(claim));
   return claims;
 }
 
