@@ -2,7 +2,7 @@
 
 #include "pfv/problem/error.hpp"
 #include "studies/motion/experiment.hpp"
-#include "studies/runner/places.hpp"
+#include "studies/runner/build_paths.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

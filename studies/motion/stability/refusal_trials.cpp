@@ -5,7 +5,7 @@
 #include "reference/temporary_folder.hpp"
 #include "studies/motion/stability/original.hpp"
 #include "studies/runner/files.hpp"
-#include "studies/runner/places.hpp"
+#include "studies/runner/build_paths.hpp"
 
 #include <algorithm>
 #include <cmath>

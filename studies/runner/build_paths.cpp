@@ -1,4 +1,4 @@
-#include "studies/runner/places.hpp"
+#include "studies/runner/build_paths.hpp"
 
 namespace studies {
 
