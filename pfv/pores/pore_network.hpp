@@ -24,9 +24,8 @@ namespace pfv {
 /// shift.
 struct PoreNetwork {
   Box box;
-  Box walls;                           // the box, without end along its periodic axes
-  Sites sites;                         // what the vertices stand for
-  std::vector<std::uint8_t> cut_sites; // by site: 1 where a wall cuts the sphere
+  Box walls;   // the box, without end along its periodic axes
+  Sites sites; // what the vertices stand for
 
   struct Pores {
     std::vector<std::array<Vertex, 4>> vertices;

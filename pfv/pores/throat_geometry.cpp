@@ -31,7 +31,7 @@ public:
       facets.measure();
       bipyramids.measure(facets);
       for (int t = 0; t < count; ++t) {
-        if (is_cut(network_, first + t))
+        if (facets.is_crowded(t))
           one_by_one(first + t);
         else
           store(first + t, measures(facets, bipyramids, t));
