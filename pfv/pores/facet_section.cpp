@@ -37,16 +37,17 @@ double disc_in_triangle(double radius, const Vec2& a, const Vec2& b) {
   if (twice == 0)
     return 0;
   const Vec2 side = b - a;
-  const double length = side.norm(), distance = twice / length;
+  const double length = side.norm(), off = std::abs(twice) / length;
+  if (off >= radius)
+    return 0.5 * radius * radius * lanes::atan2(twice, a.dot(b));
   const double from = a.dot(side) / length, to = b.dot(side) / length;
-  const double off = std::abs(distance);
-  const double chord = radius > off ? std::sqrt((radius - off) * (radius + off)) : 0;
+  const double chord = std::sqrt((radius - off) * (radius + off));
   const double low = std::clamp(from, -chord, chord), high = std::clamp(to, -chord, chord);
   const auto turn = [&](double one, double other) { // zero where nothing is on the circle
     return one == other ? 0 : lanes::atan2(other, off) - lanes::atan2(one, off);
   };
   const double area = 0.5 * (off * (high - low) + radius * radius * (turn(from, low) + turn(high, to)));
-  return distance < 0 ? -area : area;
+  return twice < 0 ? -area : area;
 }
 
 double disc_in(const Polygon& polygon, double radius) {

@@ -2,6 +2,7 @@
 
 #include "pfv/pores/facet_section.hpp"
 #include "pfv/pores/orthoscheme.hpp"
+#include "pfv/pores/short_list.hpp"
 
 namespace pfv {
 namespace {
@@ -20,7 +21,16 @@ constexpr int previous(int corner) {
 class Throat {
 public:
   Throat(const Box& box, std::span<const Sphere> spheres, const std::array<Vertex, 3>& vertices)
-      : box_(box), spheres_(spheres), facet_(make_facet(box, spheres, vertices)) {}
+      : box_(box), spheres_(spheres), facet_(make_facet(box, spheres, vertices)) {
+    for (int c = 0; c < 3; ++c)
+      if (!is_wall(vertices[c]))
+        for (const int other : {next(c), previous(c)}) {
+          const auto& corner = facet_.corners[c];
+          const Vec3 towards = (other == next(c) ? corner.to_next : corner.to_previous).normalized();
+          const Vec3 turned = facet_.normal.cross(towards);
+          ways_.push_back({c, other, towards, other == next(c) ? turned : -turned});
+        }
+  }
 
   ThroatPlane plane() const { return {facet_.normal, facet_.area, covered_parts(box_, spheres_, facet_)}; }
 
@@ -29,29 +39,29 @@ public:
     throat.length += height;
     pyramid.volume = facet_.area * height / 3;
     pyramid.void_volume = pyramid.volume;
-    for (int c = 0; c < 3; ++c) {
-      const auto& [vertex, to_next, to_previous] = facet_.corners[c];
-      if (is_wall(vertex))
-        continue;
-      const auto& [centre, radius] = spheres_[vertex];
-      for (const int other : {next(c), previous(c)}) {
-        const Vec3 towards = (other == next(c) ? to_next : to_previous).normalized();
-        const Vec3 inward = other == next(c) ? facet_.normal.cross(towards) : towards.cross(facet_.normal);
-        const double to_base = (apex - centre).dot(towards), along_base = (apex - centre).dot(inward);
-        const auto part = ball_in_orthoscheme(radius, to_base, along_base, height);
-        pyramid.void_volume -= part.volume;
-        throat.ball[c] += part.volume;
-        throat.wetted[c] += part.surface;
-        if (is_wall(facet_.corners[other].vertex))
-          throat.wetted[other] += 0.5 * along_base * height - part.base;
-      }
+    for (const auto& [from, to, towards, inward] : ways_) {
+      const auto& [centre, radius] = spheres_[facet_.corners[from].vertex];
+      const Vec3 way = apex - centre;
+      const double along_base = way.dot(inward);
+      const auto part = ball_in_orthoscheme(radius, way.dot(towards), along_base, height);
+      pyramid.void_volume -= part.volume;
+      throat.ball[from] += part.volume;
+      throat.wetted[from] += part.surface;
+      if (is_wall(facet_.corners[to].vertex))
+        throat.wetted[to] += 0.5 * along_base * height - part.base;
     }
   }
 
 private:
+  struct Way {
+    int from, to;         // corners: a sphere, and another one or a wall
+    Vec3 towards, inward; // unit, along k E and E R
+  };
+
   const Box& box_;
   std::span<const Sphere> spheres_;
   Facet facet_;
+  ShortList<Way, 6> ways_;
 };
 
 } // namespace
