@@ -112,7 +112,6 @@ FlowSystem assemble(const PoreNetwork& network, Conductances conductances, const
   system.points = points.size();
   system.rise = imposed_gradient(faces).cwiseProduct(network.box.size());
   system.conductance = std::move(conductances.values);
-  system.raised_throats = conductances.raised;
   system.rounded_throats = conductances.rounded;
   PoreGroups groups = contract(network, conductances.median, system);
   int unknowns = 0;
@@ -173,7 +172,6 @@ bool refresh(FlowSystem& system, const PoreNetwork& network, const Conductances&
       return false;
     system.conductance[t] = std::min(k, most);
   }
-  system.raised_throats = conductances.raised;
   system.rounded_throats = conductances.rounded;
   system.rise = imposed_gradient(system.faces).cwiseProduct(network.box.size());
   if (!impose_again(system, network) || !refill(system.matrix, links(network, system)))

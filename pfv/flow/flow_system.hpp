@@ -43,7 +43,6 @@ struct FlowSystem {
   Eigen::VectorXd right_side; // m^3/s
 
   std::size_t contracted_throats = 0;
-  std::size_t raised_throats = 0;
   std::size_t rounded_throats = 0;
   std::size_t isolated_pores = 0;
   std::size_t held_pores = 0; // at zero, because nothing else sets the level of their pressure
