@@ -126,6 +126,25 @@ FlowSystem assemble(const PoreNetwork& network, Conductances conductances, const
   return system;
 }
 
+bool has_way(const FlowSystem& system, const PoreNetwork& network) {
+  if (!system.rise.isZero(0))
+    return true;
+  const auto& throats = network.throats;
+  PoreGroups parts(network.pores.size(), !throats.shift.empty());
+  for (std::size_t t = 0; t < throats.size(); ++t)
+    if (system.contracted[t] || system.conductance[t] > 0)
+      parts.join(throats.pores[t][0], throats.pores[t][1], shift_of(throats, t));
+  std::vector<const FlowSystem::KnownPore*> imposed(network.pores.size(), nullptr);
+  for (std::size_t i = 0; i < imposed.size(); ++i)
+    if (const auto* known = system.known(i); known && known->source >= 0) {
+      auto& of_part = imposed[parts.find(static_cast<int>(i))];
+      if (of_part && of_part->pressure != known->pressure)
+        return true;
+      of_part = known;
+    }
+  return false;
+}
+
 void renew_right_side(FlowSystem& system, const PoreNetwork& network) {
   fill_right_side(network, system);
 }
