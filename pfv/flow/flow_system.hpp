@@ -69,8 +69,8 @@ bool refresh(FlowSystem& system, const PoreNetwork& network, const Conductances&
 /// Imposes another pressure (Pa) on all pores that have theirs from this face. The right side is left as it is.
 void impose(FlowSystem& system, Face face, double pressure);
 
-/// Whether a path of throats joins pores whose imposed pressures differ, or boxes a rise. Where none does, what flows is
-/// round-off.
+/// Whether a path of throats joins pores whose imposed pressures differ, or boxes a rise. Where none does, what flows
+/// is round-off.
 bool has_way(const FlowSystem& system, const PoreNetwork& network);
 
 /// The right side of the pressures that are imposed now.
