@@ -13,7 +13,7 @@ constexpr double pi = std::numbers::pi;
 
 /// Midpoints of a grid over k E R: y from 0 to x b / a; of each, the height inside the ball below P's.
 double counted(double radius, double a, double b, double h) {
-  constexpr int n = 800;
+  constexpr int n = 300;
   double volume = 0;
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) {
@@ -47,7 +47,7 @@ TEST(Orthoscheme, LosesTheCapBehindItsBase) { // an eighth of the directions bef
 TEST(Orthoscheme, AgreesWithCountingWhereverTheSpherePasses) {
   const double a = .5, b = .4, h = .7;
   for (const double r : {.3, .55, .6, .64, .8, .94, 1.0}) // before E, between E and R, R and P, beyond P
-    EXPECT_NEAR(ball_in_orthoscheme(r, a, b, h).volume, counted(r, a, b, h), 2e-6) << r;
+    EXPECT_NEAR(ball_in_orthoscheme(r, a, b, h).volume, counted(r, a, b, h), 1e-5) << r;
 }
 
 TEST(Orthoscheme, GrowsByItsSurface) { // and is continuous where the sphere passes a corner

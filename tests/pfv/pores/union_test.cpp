@@ -31,7 +31,7 @@ Packing cut_by_walls() {
 }
 
 double counted_porosity(const Packing& packing) {
-  constexpr int n = 100;
+  constexpr int n = 40;
   int outside = 0;
   for (int i = 0; i < n * n * n; ++i) {
     const Vec3 share = (Vec3(i % n, i / n % n, i / n / n) + Vec3::Constant(.5)) / n;
@@ -50,7 +50,7 @@ double wetted(const PoreNetwork& network) {
 TEST(Union, HasThePorosityThatCountingGives) {
   for (const Packing& packing : {random(1.35), random(5), cut_by_walls()})
     for (const double by : {.02, .05, .1})
-      EXPECT_NEAR(network_of(grown(packing, by)).porosity(), counted_porosity(grown(packing, by)), 1e-3) << by;
+      EXPECT_NEAR(network_of(grown(packing, by)).porosity(), counted_porosity(grown(packing, by)), 3e-3) << by;
 }
 
 TEST(Union, LosesVoidByItsSurfaceWhenItGrows) { // to the order of the step, whatever closes and flips on the way
@@ -86,7 +86,7 @@ TEST(Union, ClosesThroatsAndLeavesTheVoidBetweenThem) { // a cube of spheres who
   EXPECT_GT(network.closed_throats, 0u);
   for (std::size_t t = 0; t < network.throats.size(); ++t)
     EXPECT_TRUE(network.throats.fluid_area[t] == 0 || network.throats.length[t] < 1e-9);
-  EXPECT_NEAR(network.porosity(), counted_porosity(grown(lattice, .25)), 5e-4);
+  EXPECT_NEAR(network.porosity(), counted_porosity(grown(lattice, .25)), 3e-3);
   EXPECT_NEAR(network_of(grown(lattice, std::sqrt(.75) - .5 + 1e-9)).porosity(), 0, 1e-12); // closed as well
 }
 
