@@ -1,6 +1,6 @@
 #include "reference/cut_spheres.hpp"
 
-#include "pfv/pores/ball_part.hpp"
+#include "pfv/pores/disc_part.hpp"
 #include "pfv/pores/wall_distance.hpp"
 
 #include <cmath>

@@ -23,7 +23,7 @@ std::string remedies(const SteadyFlow& flow) {
       lines += fmt::format("  {:<8} {}\n", count, what);
   };
   line(flow.system.contracted_throats, "throats contracted: their two pores (nearly) coincide");
-  line(flow.system.raised_throats, "throats without fluid area, raised to 1e-6 of the median conductance");
+  line(flow.network.closed_throats, "throats closed: spheres cover them");
   line(flow.system.rounded_throats, "throats with a lost void or wetted surface, taken for round tubes");
   line(flow.system.isolated_pores, "pores isolated: no throat leads to a known pressure");
   line(flow.system.held_pores, "pores held at zero: nothing else sets the level of the pressure");
@@ -57,6 +57,8 @@ std::string text_report(const Case& problem, const FlowOptions& options, const S
                                       : "not known: " + error->outside);
   line("flux in", fmt::format("{:.6e} m^3/s", flow.flux_in));
   line("flux out", fmt::format("{:.6e} m^3/s (imbalance {:.1e})", flow.flux_out, flow.imbalance()));
+  if (flow.flux_in + flow.flux_out == 0 && flow.network.closed_throats > 0)
+    line("no way", fmt::format("for the fluid: {} throats are closed", flow.network.closed_throats));
   for (const Face face : all_faces)
     if (const auto pressure = flow.pumped[index(face)])
       line("pumped face", fmt::format("{} at {:.6e} Pa", face_names[index(face)], *pressure));
@@ -110,7 +112,7 @@ std::string json_report(const Case& problem, const FlowOptions& options, const S
   const Vec3 force = total_force(flow.forces);
   json["force_on_spheres"] = list(force);
   json["contracted_throats"] = flow.system.contracted_throats;
-  json["raised_throats"] = flow.system.raised_throats;
+  json["closed_throats"] = flow.network.closed_throats;
   json["rounded_throats"] = flow.system.rounded_throats;
   json["isolated_pores"] = flow.system.isolated_pores;
   json["held_pores"] = flow.system.held_pores;

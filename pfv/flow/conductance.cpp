@@ -19,17 +19,17 @@ double round_tube(double fluid_area, double length, double viscosity) {
   return fluid_area * fluid_area / (8 * std::numbers::pi * viscosity * length);
 }
 
-/// What the rule says, and less than zero where it says nothing: minus that of a round tube when only the section is
-/// sound, minus infinity when that is not either. By selects rather than branches, so that a loop over it vectorises.
+/// What the rule says, minus the conductance of a round tube where it says nothing as only the section is sound, and 0
+/// where the throat is closed. By selects rather than branches, so that a loop over it vectorises.
 template <typename Rule>
 double conductance(const Rule& rule, const ThroatShape& throat, double viscosity, double smallest_area) {
   const double open = rule(throat, viscosity);
   const double tube = -round_tube(throat.fluid_area, throat.length, viscosity);
-  const double largest = std::max(std::abs(throat.fluid_area), throat.wetted_surface);
+  const double largest = std::max(throat.fluid_area, throat.wetted_surface);
   const double surface = throat.wetted_surface - no_surface * throat.fluid_area;
   double value = std::min(throat.void_volume, surface) > 0 ? open : tube;
-  value = throat.fluid_area > 0 ? value : -infinite;
   value = throat.length > 0 ? value : infinite;
+  value = throat.fluid_area > 0 ? value : 0;
   return largest > smallest_area ? value : 0;
 }
 
@@ -74,7 +74,7 @@ void fill_at_walls(const Rule& rule, const Walls& walls, const PoreNetwork& netw
 double smallest_area(const std::vector<double>& fluid_area) {
   double total = 0;
   for (const double area : fluid_area)
-    total += std::abs(area);
+    total += area;
   return no_area * total / static_cast<double>(fluid_area.size());
 }
 
@@ -108,16 +108,12 @@ void update(Conductances& conductances, const PoreNetwork& network, const Conduc
       },
       rule, walls);
   conductances.median = median_of_open(values, conductances.sorted_part);
-  conductances.raised = conductances.rounded = 0;
-  for (double& value : values) {
-    if (value == -infinite) {
-      value = Conductances::floor * conductances.median;
-      ++conductances.raised;
-    } else if (value < 0) {
+  conductances.rounded = 0;
+  for (double& value : values)
+    if (value < 0) {
       value = -value;
       ++conductances.rounded;
     }
-  }
 }
 
 Conductances conductances(const PoreNetwork& network, const Conductance& rule, const WallRule& walls,

@@ -10,11 +10,8 @@
 namespace pfv {
 
 struct Conductances {
-  static constexpr double floor = 1e-6; // of the median
-
-  std::vector<double> values; // m^3/(Pa s), by throat; 0 without area or surface, infinite between coincident pores
+  std::vector<double> values; // m^3/(Pa s), by throat; 0 where closed, infinite between coincident pores
   double median = 0;          // m^3/(Pa s), over the throats that follow the rule
-  std::size_t raised = 0;     // throats without fluid area, raised to the floor
   std::size_t rounded = 0;    // open throats whose signed void or wetted surface is lost: round tubes of their section
   std::vector<double> sorted_part; // room for the median, kept from one update to the next
 };

@@ -112,7 +112,6 @@ FlowSystem assemble(const PoreNetwork& network, Conductances conductances, const
   system.points = points.size();
   system.rise = imposed_gradient(faces).cwiseProduct(network.box.size());
   system.conductance = std::move(conductances.values);
-  system.raised_throats = conductances.raised;
   system.rounded_throats = conductances.rounded;
   PoreGroups groups = contract(network, conductances.median, system);
   int unknowns = 0;
@@ -125,6 +124,25 @@ FlowSystem assemble(const PoreNetwork& network, Conductances conductances, const
   system.right_side.resize(unknowns);
   fill_right_side(network, system);
   return system;
+}
+
+bool has_way(const FlowSystem& system, const PoreNetwork& network) {
+  if (!system.rise.isZero(0))
+    return true;
+  const auto& throats = network.throats;
+  PoreGroups parts(network.pores.size(), !throats.shift.empty());
+  for (std::size_t t = 0; t < throats.size(); ++t)
+    if (system.contracted[t] || system.conductance[t] > 0)
+      parts.join(throats.pores[t][0], throats.pores[t][1], shift_of(throats, t));
+  std::vector<const FlowSystem::KnownPore*> imposed(network.pores.size(), nullptr);
+  for (std::size_t i = 0; i < imposed.size(); ++i)
+    if (const auto* known = system.known(i); known && known->source >= 0) {
+      auto& of_part = imposed[parts.find(static_cast<int>(i))];
+      if (of_part && of_part->pressure != known->pressure)
+        return true;
+      of_part = known;
+    }
+  return false;
 }
 
 void renew_right_side(FlowSystem& system, const PoreNetwork& network) {
@@ -173,7 +191,6 @@ bool refresh(FlowSystem& system, const PoreNetwork& network, const Conductances&
       return false;
     system.conductance[t] = std::min(k, most);
   }
-  system.raised_throats = conductances.raised;
   system.rounded_throats = conductances.rounded;
   system.rise = imposed_gradient(system.faces).cwiseProduct(network.box.size());
   if (!impose_again(system, network) || !refill(system.matrix, links(network, system)))

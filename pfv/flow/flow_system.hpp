@@ -43,7 +43,6 @@ struct FlowSystem {
   Eigen::VectorXd right_side; // m^3/s
 
   std::size_t contracted_throats = 0;
-  std::size_t raised_throats = 0;
   std::size_t rounded_throats = 0;
   std::size_t isolated_pores = 0;
   std::size_t held_pores = 0; // at zero, because nothing else sets the level of their pressure
@@ -69,6 +68,10 @@ bool refresh(FlowSystem& system, const PoreNetwork& network, const Conductances&
 
 /// Imposes another pressure (Pa) on all pores that have theirs from this face. The right side is left as it is.
 void impose(FlowSystem& system, Face face, double pressure);
+
+/// Whether a path of throats joins pores whose imposed pressures differ, or boxes a rise. Where none does, what flows
+/// is round-off.
+bool has_way(const FlowSystem& system, const PoreNetwork& network);
 
 /// The right side of the pressures that are imposed now.
 void renew_right_side(FlowSystem& system, const PoreNetwork& network);

@@ -70,6 +70,12 @@ void set_fluxes(SteadyFlow& flow) {
     flow.mean_flux = mean_flux(flow.network, flow.system, flow.pressure);
 }
 
+void stop(SteadyFlow& flow) {
+  flow.face_flux = {};
+  std::ranges::fill(flow.point_flux, 0);
+  flow.flux_in = flow.flux_out = 0;
+}
+
 } // namespace
 
 double SteadyFlow::imbalance() const {
@@ -139,6 +145,8 @@ void FollowedFlow::solve(Clock& clock) {
       set_pore_pressures(flow_.system, solution_, flow_.pressure);
       set_fluxes(flow_);
       iterations += solver_->report().iterations;
+      if (flow_.imbalance() > balanced && !has_way(flow_.system, flow_.network))
+        stop(flow_);
     }
     flow_.solver = solver_->report();
     flow_.solver.iterations = iterations;

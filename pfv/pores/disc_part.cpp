@@ -1,4 +1,6 @@
-#include "pfv/pores/ball_part.hpp"
+#include "pfv/pores/disc_part.hpp"
+
+#include "pfv/pores/wall_distance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,6 +8,8 @@
 
 namespace pfv {
 namespace {
+
+constexpr double on_wall = 1e-12; // of the radius: the centre lies on the wall
 
 /// A wall's trace in the plane of the disc: the line m cos(phi - towards) rho = distance.
 struct Trace {
@@ -51,6 +55,16 @@ Breaks breaks(double radius, std::span<const Trace> traces, double angle) {
 }
 
 } // namespace
+
+WallCuts wall_cuts(const Sphere& sphere, const Box& box) {
+  WallCuts cuts;
+  for (const Face face : all_faces) {
+    const double distance = wall_distance(box, face, sphere.centre);
+    if (distance < sphere.radius)
+      cuts.push_back({outward_normal(face), distance > on_wall * sphere.radius ? distance : 0});
+  }
+  return cuts;
+}
 
 double disc_in_wedge(double radius, std::span<const WallCut> cuts, const Vec3& a, const Vec3& b) {
   const double angle = std::atan2(a.cross(b).norm(), a.dot(b));

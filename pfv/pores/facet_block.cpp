@@ -41,17 +41,32 @@ PFV_VECTORISED void measure_sectors(FacetBlock& block, int& overlapping, int& re
   reaching = reaches;
 }
 
+/// Parts discs by their radical lines. That is exact where the line of two leaves both discs before it meets those of
+/// the third, at `inward` from the side, and no disc reaches across a side.
 PFV_VECTORISED void part_overlaps(FacetBlock& block) {
+  FacetBlock::Lane overlaps{}, reaches{};
+  block.crowding.fill(0);
   for (int c = 0; c < 3; ++c) {
-    const auto &one = block.corners[c], &other = block.corners[(c + 1) % 3];
+    const auto &one = block.corners[c], &other = block.corners[(c + 1) % 3], &third = block.corners[(c + 2) % 3];
     auto &of_one = block.sector[c], &of_other = block.sector[(c + 1) % 3];
     for (int t = 0; t < FacetBlock::width; ++t) {
-      const double apart = norm(at(other, t) - at(one, t));
-      const double distance = lens::radical_distance(apart, one.radius[t], other.radius[t]);
-      of_one[t] -= lens::half_segment(one.radius[t], distance);
+      const Vector along = at(other, t) - at(one, t), to_third = at(third, t) - at(one, t);
+      const double radius = one.radius[t], apart = norm(along);
+      const double distance = lens::radical_distance(apart, radius, other.radius[t]);
+      of_one[t] -= lens::half_segment(radius, distance);
       of_other[t] -= lens::half_segment(other.radius[t], apart - distance);
+      const double power = (radius - third.radius[t]) * (radius + third.radius[t]) + dot(to_third, to_third);
+      const double inward = 0.25 * (power * apart - 2 * distance * dot(to_third, along)) / block.area[t];
+      const bool parted = (inward * std::abs(inward) >= (radius - distance) * (radius + distance)) & (distance >= 0) &
+                          (distance <= apart);
+      const bool overlap = apart < radius + other.radius[t];
+      block.crowding[t] += overlap & !parted ? 1 : 0;
+      overlaps[t] += overlap ? 1 : 0;
+      reaches[t] += 2 * block.area[t] < third.radius[t] * apart ? 1 : 0;
     }
   }
+  for (int t = 0; t < FacetBlock::width; ++t)
+    block.crowding[t] += overlaps[t] * reaches[t];
 }
 
 PFV_VECTORISED void cut_reaches(FacetBlock& block) {

@@ -20,6 +20,11 @@ struct FacetBlock {
   Lane fluid_area;            // m^2, S_f = S - sum A_k
   Lane gap;                   // see smallest_gap
   bool overlapping = false;   // some spheres of the block overlap
+  Lane crowding;              // only when they do: see is_crowded
+
+  /// Whether three discs of a facet share a point, or two that overlap do so near one of its sides. What pairs of discs
+  /// take is then not what they cover together: measure_throat says it.
+  bool is_crowded(int lane) const { return overlapping && crowding[lane] > 0; }
 
   /// From the corners, everything else but gaps. Lanes beyond those in use must hold something finite.
   void measure();

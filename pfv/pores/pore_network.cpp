@@ -62,14 +62,6 @@ void list_wall_parts(PoreNetwork& network) {
         network.wall_parts.push_back({static_cast<int>(i), face_of(v), 0});
 }
 
-void mark_cut_sites(PoreNetwork& network) {
-  const auto& [lower, upper] = network.walls;
-  for (std::size_t s = 0; s < network.sites.size(); ++s) {
-    const auto& [centre, radius] = network.sites.spheres[s];
-    network.cut_sites[s] = ((centre - lower).array() < radius).any() || ((upper - centre).array() < radius).any();
-  }
-}
-
 PoreNetwork topology(const Packing& packing, const PeriodicAxes& periodic, Triangulation cells) {
   PoreNetwork network;
   network.box = packing.box;
@@ -77,7 +69,6 @@ PoreNetwork topology(const Packing& packing, const PeriodicAxes& periodic, Trian
   network.hidden_spheres = std::move(cells.hidden_spheres);
   list_throats(cells, network.throats);
   network.sites = std::move(cells.sites);
-  network.cut_sites.resize(network.sites.size());
   network.pores.vertices = std::move(cells.cells);
   network.pores.centre.resize(network.pores.vertices.size());
   network.pores.volume.resize(network.pores.size());
@@ -114,7 +105,6 @@ PoreNetwork build_pore_network(const Packing& packing, const PeriodicAxes& perio
     network.throats.area.resize(network.throats.size());
     network.throats.gap.resize(network.throats.size());
   }
-  mark_cut_sites(network);
   set_pore_centres(network);
   measure(network);
   return network;
@@ -126,7 +116,6 @@ void follow(PoreNetwork& network, const Packing& packing, Clock& clock) {
   network.walls = without_end(packing.box, network.periodic());
   network.box = packing.box;
   move_sites(network.sites, packing);
-  mark_cut_sites(network);
   set_pore_centres(network);
   measure(network);
 }

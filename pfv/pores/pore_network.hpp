@@ -24,9 +24,8 @@ namespace pfv {
 /// shift.
 struct PoreNetwork {
   Box box;
-  Box walls;                           // the box, without end along its periodic axes
-  Sites sites;                         // what the vertices stand for
-  std::vector<std::uint8_t> cut_sites; // by site: 1 where a wall cuts the sphere
+  Box walls;   // the box, without end along its periodic axes
+  Sites sites; // what the vertices stand for
 
   struct Pores {
     std::vector<std::array<Vertex, 4>> vertices;
@@ -68,6 +67,7 @@ struct PoreNetwork {
 
   std::vector<int> hidden_spheres;  // without a pore of their own, so without fluid force
   std::size_t flat_pores = 0;       // whose centre, lost along their normal, is that of a neighbour
+  std::size_t closed_throats = 0;   // whose facet is covered by spheres
   std::size_t inverted_throats = 0; // l < 0 beyond round-off: the topology is out of date
 
   PeriodicAxes periodic() const;

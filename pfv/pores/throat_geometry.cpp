@@ -9,6 +9,7 @@
 namespace pfv {
 namespace {
 
+constexpr double no_facet = 1e-9;        // of a sphere's squared radius: one between spheres centred on a wall
 constexpr double inverted_below = -1e-6; // l of the largest side of the box; walls are only that exact
 
 class Measuring {
@@ -18,7 +19,7 @@ public:
     std::ranges::fill(network.pores.void_volume, 0);
     std::ranges::fill(network.spheres.volume, 0);
     std::ranges::fill(network.spheres.wetted_surface, 0);
-    network.inverted_throats = 0;
+    network.closed_throats = network.inverted_throats = 0;
   }
 
   void interior_throats() {
@@ -31,7 +32,7 @@ public:
       facets.measure();
       bipyramids.measure(facets);
       for (int t = 0; t < count; ++t) {
-        if (is_cut(network_, first + t))
+        if (facets.is_crowded(t))
           one_by_one(first + t);
         else
           store(first + t, measures(facets, bipyramids, t));
@@ -101,9 +102,12 @@ private:
     throats.wetted_surface[t] = measures.wetted;
     if (!throats.area.empty())
       throats.area[t] = measures.plane.area;
+    bool closed = throats.fluid_area[t] == 0;
     const auto corners = network_.corners(t);
     for (int c = 0; c < 3; ++c)
       if (const Vertex v = corners[c]; !is_wall(v)) {
+        const double radius = network_.sites.spheres[v].radius;
+        closed = closed && measures.plane.area > no_facet * radius * radius;
         const int k = network_.sites.number[v];
         network_.spheres.volume[k] += measures.ball[c];
         network_.spheres.wetted_surface[k] += measures.wetted[c];
@@ -113,6 +117,7 @@ private:
     network_.pores.volume[j] += measures.ahead.volume;
     network_.pores.void_volume[i] += measures.behind.void_volume;
     network_.pores.void_volume[j] += measures.ahead.void_volume;
+    network_.closed_throats += closed;
     if (measures.length < inverted_below * network_.box.size().maxCoeff())
       ++network_.inverted_throats;
   }

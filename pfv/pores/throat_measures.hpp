@@ -1,6 +1,5 @@
 #pragma once
 
-#include "pfv/pores/ball_part.hpp"
 #include "pfv/pores/facet.hpp"
 
 namespace pfv {
@@ -9,9 +8,14 @@ namespace pfv {
 struct ThroatPlane {
   Vec3 normal;                    // unit, from the pore behind to the one ahead
   double area;                    // m^2, S
-  std::array<double, 3> sector{}; // m^2, A_k by vertex: the facet's part in each sphere; none on walls
+  std::array<double, 3> sector{}; // m^2, A_k by vertex: see covered_parts
 
-  double fluid_area() const { return area - sector[0] - sector[1] - sector[2]; } // m^2, S_f
+  /// m^2, S_f; 0 when so little is left that it is round-off: the spheres cover the facet.
+  double fluid_area() const {
+    const double open = area - sector[0] - sector[1] - sector[2];
+    return open > open_by_round_off * area ? open : 0;
+  }
+  static constexpr double open_by_round_off = 1e-14;
 };
 
 /// The pyramid between a facet and the centre of one of its pores, negative when the centre is on the wrong side.
@@ -29,8 +33,9 @@ struct ThroatMeasures {
   std::array<double, 3> ball{};   // m^3, of the sphere at each vertex
 };
 
-/// One throat at a time, whatever its vertices are: walls, and spheres cut by walls, exactly. Blocks of throats between
-/// whole spheres are measured together by FacetBlock and BipyramidBlock.
+/// One throat at a time, exactly, whatever its vertices are: walls, spheres cut by walls, and any number of spheres
+/// that share a point. Throats between spheres are measured in blocks by FacetBlock and BipyramidBlock, but for crowded
+/// ones.
 ThroatPlane measure_plane(const Box& box, std::span<const Sphere> spheres, const std::array<Vertex, 3>& vertices);
 ThroatMeasures measure_throat(const Box& box, std::span<const Sphere> spheres, const std::array<Vertex, 3>& vertices,
                               const Vec3& centre_behind, const Vec3& centre_ahead);

@@ -20,11 +20,6 @@ int gather(const PoreNetwork& network, std::size_t first, FacetBlock& block) {
   return count;
 }
 
-bool is_cut(const PoreNetwork& network, std::size_t throat) {
-  const auto [a, b, c] = network.corners(throat);
-  return (network.cut_sites[a] | network.cut_sites[b] | network.cut_sites[c]) != 0;
-}
-
 void visit_planes(const PoreNetwork& network, const std::function<void(std::size_t, const ThroatPlane&)>& visit) {
   const auto& throats = network.throats;
   FacetBlock block{};
@@ -32,7 +27,7 @@ void visit_planes(const PoreNetwork& network, const std::function<void(std::size
     const int count = gather(network, first, block);
     block.measure();
     for (int t = 0; t < count; ++t) {
-      if (is_cut(network, first + t))
+      if (block.is_crowded(t))
         visit(first + t, measure_plane(network.walls, network.sites.spheres, network.corners(first + t)));
       else
         visit(first + t, {{block.normal[0][t], block.normal[1][t], block.normal[2][t]},

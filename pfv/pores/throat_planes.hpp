@@ -11,9 +11,6 @@ namespace pfv {
 /// Gathers the corners of up to FacetBlock::width interior throats from `first` on; how many.
 int gather(const PoreNetwork& network, std::size_t first, FacetBlock& block);
 
-/// Whether a throat between spheres must be measured on its own, because a wall cuts one of them.
-bool is_cut(const PoreNetwork& network, std::size_t throat);
-
 /// Hands every throat in turn, with its facet, to `visit`. Facets are quick to measure and long to keep.
 void visit_planes(const PoreNetwork& network, const std::function<void(std::size_t, const ThroatPlane&)>& visit);
 

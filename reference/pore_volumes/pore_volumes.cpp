@@ -68,7 +68,7 @@ public:
     answer.stages = clock.stages();
     answer.counts = {{"pores", flow.network.pores.size()},
                      {"contracted_throats", flow.system.contracted_throats},
-                     {"raised_throats", flow.system.raised_throats},
+                     {"closed_throats", flow.network.closed_throats},
                      {"rounded_throats", flow.system.rounded_throats},
                      {"isolated_pores", flow.system.isolated_pores},
                      {"hidden_spheres", flow.network.hidden_spheres.size()},

@@ -14,7 +14,7 @@ constexpr const char* how_to_read =
     R"(Every case runs in a process of its own: one that crashes, or does not end, is a row with its last words. Titles of columns
 carry the bound that a value is held by; what is set in bold is outside of it. The matrix of every packing at rest is factorised by
 Cholesky, so that one which is not positive definite fails its row. Remedies are counted: throats *contracted* (their two pores
-nearly coincide), *raised* to 1e-6 of the median conductance (no fluid area), *rounded* (taken for round tubes), pores
+nearly coincide), *closed* (spheres cover them), *rounded* (taken for round tubes), pores
 *isolated* (no way to a known pressure) or *flat*, throats *inverted*, spheres *hidden* by others.)";
 
 /// What follows about a group's own measures.

@@ -76,7 +76,7 @@ std::string remedies(const SteadyFlow& flow) {
       text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
   };
   add(flow.system.contracted_throats, "contracted");
-  add(flow.system.raised_throats, "raised");
+  add(flow.network.closed_throats, "closed");
   add(flow.system.rounded_throats, "rounded");
   add(flow.system.isolated_pores, "isolated");
   add(flow.network.flat_pores, "flat");

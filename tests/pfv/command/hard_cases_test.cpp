@@ -124,6 +124,18 @@ TEST(HardCases, WhatNoOneCanAnswerIsRefused) {
   expect_refusal(box + "0.5 0.5 inf 0.1\n", "inf");
 }
 
+TEST(HardCases, SpheresThatCloseAllThroatsLeaveNoWay) {
+  std::string text = "# box 0 0 0 2 2 2\n";
+  for (const char* at : {"0.5 0.5 0.5", "0.5 0.5 1.5", "0.5 1.5 0.5", "0.5 1.5 1.5", "1.5 0.5 0.5", "1.5 0.5 1.5",
+                         "1.5 1.5 0.5", "1.5 1.5 1.5"})
+    text += std::string(at) + " 0.75\n";
+  const TemporaryFile file("sealed.txt", text);
+  const auto result = run_program(std::string(PFV_PROGRAM) + " permeability " + file.path().string());
+  EXPECT_EQ(result.exit_code, 0) << result.error;
+  EXPECT_NE(result.output.find("\npermeability  0.000000e+00 m^2\n"), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("\nno way        for the fluid: "), std::string::npos) << result.output;
+}
+
 TEST(HardCases, AFlowWithoutAPressureIsRefused) {
   const TemporaryFile file("closed.toml", "[packing]\nbox = [[0, 0, 0], [1, 1, 1]]\n"
                                           "spheres = [[0.5, 0.5, 0.5, 0.3]]\n[faces]\nx_min = \"slip\"\n");

@@ -1,6 +1,6 @@
 #include "pfv/pores/pore_network.hpp"
 
-#include "pfv/pores/ball_part.hpp"
+#include "ball_in_cone.hpp"
 #include "pfv/pores/power_centre.hpp"
 #include "pfv/problem/generate.hpp"
 #include "support/packings.hpp"
@@ -10,6 +10,8 @@
 #include <numeric>
 
 using namespace pfv;
+using pfv::testing::ball_in_cone;
+using pfv::testing::BallPart;
 using pfv::testing::network_of;
 using pfv::testing::packing_from;
 

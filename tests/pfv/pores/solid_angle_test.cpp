@@ -1,4 +1,4 @@
-#include "pfv/pores/solid_angle.hpp"
+#include "solid_angle.hpp"
 
 #include <gtest/gtest.h>
 #include <numbers>

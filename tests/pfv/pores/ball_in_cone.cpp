@@ -1,14 +1,11 @@
-#include "pfv/pores/ball_part.hpp"
+#include "ball_in_cone.hpp"
 
-#include "pfv/pores/solid_angle.hpp"
-#include "pfv/pores/wall_distance.hpp"
+#include "solid_angle.hpp"
 
 #include <cmath>
 
-namespace pfv {
+namespace pfv::testing {
 namespace {
-
-constexpr double on_wall = 1e-12; // of the radius: the centre lies on the wall
 
 // Directions of any length, anticlockwise seen from outside; each of at most 12 clips adds one to a triangle.
 using Polygon = ShortList<Vec3, 16>;
@@ -94,16 +91,6 @@ CutOff cut_off_under_edge(double radius, const WallCut& cut, const Vec3& a, cons
 
 } // namespace
 
-WallCuts wall_cuts(const Sphere& sphere, const Box& box) {
-  WallCuts cuts;
-  for (const Face face : all_faces) {
-    const double distance = wall_distance(box, face, sphere.centre);
-    if (distance < sphere.radius)
-      cuts.push_back({outward_normal(face), distance > on_wall * sphere.radius ? distance : 0});
-  }
-  return cuts;
-}
-
 BallPart ball_in_cone(double radius, std::span<const WallCut> cuts, const Vec3& a, const Vec3& b, const Vec3& c) {
   const double r2 = radius * radius;
   if (cuts.empty()) {
@@ -137,4 +124,4 @@ BallPart ball_in_cone(double radius, std::span<const WallCut> cuts, const Vec3& 
   return {sign * (r2 * radius * angle / 3 + flat_volume), sign * r2 * angle};
 }
 
-} // namespace pfv
+} // namespace pfv::testing

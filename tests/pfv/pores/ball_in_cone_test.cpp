@@ -1,10 +1,11 @@
-#include "pfv/pores/ball_part.hpp"
+#include "ball_in_cone.hpp"
 
 #include <gtest/gtest.h>
 #include <numbers>
 #include <random>
 
 using namespace pfv;
+using namespace pfv::testing;
 
 namespace {
 
@@ -32,13 +33,13 @@ BallPart whole_ball(double radius, std::span<const WallCut> cuts, std::mt19937_6
   return sum;
 }
 
-TEST(BallPart, OfAnUncutOctant) {
+TEST(BallInCone, OfAnUncutOctant) {
   const auto part = ball_in_cone(2, {}, Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ());
   EXPECT_NEAR(part.volume, 4 * pi / 3, 1e-14);
   EXPECT_NEAR(part.surface, 2 * pi, 1e-14);
 }
 
-TEST(BallPart, LosesTheCapBehindOneWall) {
+TEST(BallInCone, LosesTheCapBehindOneWall) {
   std::mt19937_64 random(1);
   for (const double h : {0.0, 1e-9, 0.3, 0.9, 0.999999}) {
     const std::vector<WallCut> cuts{{Vec3::UnitX(), h}};
@@ -51,7 +52,7 @@ TEST(BallPart, LosesTheCapBehindOneWall) {
   }
 }
 
-TEST(BallPart, OfACentreOnEdgeAndCornerIsAQuarterAndAnEighth) {
+TEST(BallInCone, OfACentreOnEdgeAndCornerIsAQuarterAndAnEighth) {
   std::mt19937_64 random(2);
   std::vector<WallCut> cuts{{Vec3::UnitX(), 0}, {-Vec3::UnitY(), 0}};
   EXPECT_NEAR(whole_ball(1, cuts, random).volume, pi / 3, 1e-13);
@@ -60,7 +61,7 @@ TEST(BallPart, OfACentreOnEdgeAndCornerIsAQuarterAndAnEighth) {
   EXPECT_NEAR(whole_ball(1, cuts, random).surface, pi / 2, 1e-13);
 }
 
-TEST(BallPart, CutByTwoAndThreeWallsAgreesWithCounting) {
+TEST(BallInCone, CutByTwoAndThreeWallsAgreesWithCounting) {
   const std::vector<WallCut> cuts{{Vec3::UnitX(), 0.4}, {-Vec3::UnitY(), 0.2}, {Vec3::UnitZ(), 0.5}};
   std::mt19937_64 random(3);
   for (std::size_t walls = 2; walls <= 3; ++walls) {
@@ -80,28 +81,6 @@ TEST(BallPart, CutByTwoAndThreeWallsAgreesWithCounting) {
     }
     EXPECT_NEAR(ball.volume, inside * 8.0 / (n * n * n), 2e-3);
   }
-}
-
-TEST(BallPart, WallsThatCutAreThoseNearerThanTheRadius) {
-  const Box box{{0, 0, 0}, {1, 1, 1}};
-  EXPECT_TRUE(wall_cuts({{.5, .5, .5}, .5}, box).empty());
-  EXPECT_EQ(wall_cuts({{.5, .4, .5}, .45}, box).size(), 1u);
-  EXPECT_EQ(wall_cuts({{0, 0, 1}, .1}, box).size(), 3u);
-}
-
-TEST(DiscInWedge, IsASectorWhereNoWallCuts) {
-  EXPECT_NEAR(disc_in_wedge(2, {}, Vec3(3, 0, 0), Vec3(1, 1, 0)), 0.5 * 4 * pi / 4, 1e-14);
-}
-
-TEST(DiscInWedge, EndsAtWalls) {
-  const std::vector<WallCut> cuts{{Vec3::UnitX(), 0.5}, {Vec3::UnitY(), 0.0}};
-  // Half disc below y = 0, less the segment beyond x = 1/2 (half of a cap of half-angle 60 degrees).
-  const double below =
-      disc_in_wedge(1, cuts, Vec3(1, 0, 0), Vec3(0, -1, 0)) + disc_in_wedge(1, cuts, Vec3(0, -1, 0), Vec3(-1, 0, 0));
-  EXPECT_NEAR(below, pi / 2 - (pi / 3 - 0.5 * std::sin(2 * pi / 3)) / 2, 1e-14);
-  EXPECT_NEAR(disc_in_wedge(1, cuts, Vec3(1, 0, 0), Vec3(0, 1, 0)), 0, 1e-14);
-  const std::vector<WallCut> tilted{{Vec3(1, 0, 1).normalized(), 0.5}}; // cuts the plane z = 0 at x = 1/sqrt(2)
-  EXPECT_NEAR(disc_in_wedge(1, tilted, Vec3(1, -1, 0), Vec3(1, 1, 0)), 0.5, 1e-14);
 }
 
 } // namespace

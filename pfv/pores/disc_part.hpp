@@ -18,16 +18,6 @@ using WallCuts = ShortList<WallCut, 6>;
 /// The walls of the box that cut a sphere; none for a sphere wholly inside or just touching.
 WallCuts wall_cuts(const Sphere& sphere, const Box& box);
 
-/// Volume (m^3) and surface (m^2) of the part of a ball in a cone from its centre, inside the box.
-struct BallPart {
-  double volume = 0;
-  double surface = 0;
-};
-
-/// The ball's part in the cone spanned by three directions; signed like the solid angle. Exact for any number of cuts:
-/// the directions that leave through a wall before they reach the sphere give a flat-bottomed cone instead.
-BallPart ball_in_cone(double radius, std::span<const WallCut> cuts, const Vec3& a, const Vec3& b, const Vec3& c);
-
 /// Area (m^2) of the part of a disc of that radius in the plane of two directions and between them, inside the box.
 double disc_in_wedge(double radius, std::span<const WallCut> cuts, const Vec3& a, const Vec3& b);
 
