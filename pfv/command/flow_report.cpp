@@ -26,6 +26,7 @@ std::string remedies(const SteadyFlow& flow) {
   line(flow.network.closed_throats, "throats closed: spheres cover them");
   line(flow.system.rounded_throats, "throats with a lost void or wetted surface, taken for round tubes");
   line(flow.system.isolated_pores, "pores isolated: no throat leads to a known pressure");
+  line(flow.clamped_pores, "pores clamped: their pressure was round-off beyond those imposed");
   line(flow.system.held_pores, "pores held at zero: nothing else sets the level of the pressure");
   line(flow.network.flat_pores, "pores flat: they share the centre of a neighbour across them");
   line(flow.network.inverted_throats, "throats inverted: their pores are on the wrong sides, contracted");
@@ -115,6 +116,7 @@ std::string json_report(const Case& problem, const FlowOptions& options, const S
   json["closed_throats"] = flow.network.closed_throats;
   json["rounded_throats"] = flow.system.rounded_throats;
   json["isolated_pores"] = flow.system.isolated_pores;
+  json["clamped_pores"] = flow.clamped_pores;
   json["held_pores"] = flow.system.held_pores;
   json["flat_pores"] = flow.network.flat_pores;
   json["inverted_throats"] = flow.network.inverted_throats;

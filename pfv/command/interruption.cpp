@@ -2,6 +2,7 @@
 
 #include <array>
 #include <csignal>
+#include <ctime>
 
 namespace pfv {
 
@@ -10,8 +11,18 @@ namespace {
 constexpr std::array signals{SIGINT, SIGTERM};
 
 volatile std::sig_atomic_t received = 0;
+volatile std::time_t received_at = 0; // s
 
 extern "C" void keep(int signal) {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  if (received != 0 && now.tv_sec > received_at + 1) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+    return;
+  }
+  if (received == 0)
+    received_at = now.tv_sec;
   received = signal;
 }
 
@@ -21,7 +32,6 @@ Interruption::Interruption() {
   received = 0;
   struct sigaction action {};
   action.sa_handler = keep;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
   for (const int signal : signals)
     sigaction(signal, &action, nullptr);
 }

@@ -11,8 +11,8 @@ struct Interrupted : std::runtime_error {
   int signal;
 };
 
-/// While there is one, the first SIGINT (Ctrl-C) or SIGTERM is kept for the run to look at between steps; a second one
-/// ends the process at once. One at a time.
+/// While there is one, the first SIGINT (Ctrl-C) or SIGTERM is kept for the run to look at between steps; one that
+/// comes a second later or more ends the process at once (programs that stop others may send it twice). One at a time.
 class Interruption {
 public:
   Interruption();
