@@ -23,6 +23,18 @@ bool names_its_format(std::string_view contents) {
   return false;
 }
 
+/// "0 1 xlo xhi" in what may be a header.
+bool bounds_a_box(std::string_view contents) {
+  constexpr int longest_header = 60;
+  TextLines lines({}, contents);
+  while (lines.next() && lines.number() <= longest_header) {
+    const Fields words = split_at_blanks(lines.line());
+    if (words.size() >= 4 && words[2] == "xlo" && words[3] == "xhi")
+      return true;
+  }
+  return false;
+}
+
 } // namespace
 
 PackingFormat format_of(const std::filesystem::path& file, std::string_view contents) {
@@ -35,6 +47,8 @@ PackingFormat format_of(const std::filesystem::path& file, std::string_view cont
     return PackingFormat::lammps_dump;
   if (names_its_format(contents))
     return PackingFormat::yade_export;
+  if (bounds_a_box(contents))
+    return PackingFormat::lammps_data;
   return PackingFormat::plain_text;
 }
 

@@ -8,11 +8,11 @@
 
 namespace pfv {
 
-enum class PackingFormat { plain_text, yade_export, lammps_dump, vtk };
+enum class PackingFormat { plain_text, yade_export, lammps_dump, lammps_data, vtk };
 
 /// What the contents of a file are: VTK when they are XML or legacy VTK, or when its name ends in .vtp, .vtu or .vtk; a
-/// LAMMPS dump when they begin with "ITEM:"; YADE's export when a comment before the first row begins with "#format";
-/// plain text otherwise.
+/// LAMMPS dump when they begin with "ITEM:"; LAMMPS data when one of the first lines ends with "xlo xhi"; YADE's export
+/// when a comment before the first row begins with "#format"; plain text otherwise.
 PackingFormat format_of(const std::filesystem::path& file, std::string_view contents);
 
 // Each reads the contents of a file whose name is only for messages, and throws InputError.
@@ -25,6 +25,9 @@ SphereList read_yade_export(const std::string& file, std::string_view contents);
 /// By LAMMPS' and LIGGGHTS' dump custom: columns in any order, positions also scaled (xs) or unwrapped (xu, xsu), the
 /// box from its bounds, into which positions are wrapped along periodic axes. The last snapshot is taken.
 SphereList read_lammps_dump(const std::string& file, std::string_view contents);
+
+/// By LAMMPS' write_data, and what its read_data takes: the box, and atoms of style sphere or granular.
+SphereList read_lammps_data(const std::string& file, std::string_view contents);
 
 /// Points with an array of their sizes, whatever the case of its name.
 SphereList read_vtk_spheres(const std::string& file, const std::string& contents);

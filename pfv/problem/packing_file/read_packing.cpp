@@ -18,14 +18,16 @@ SphereList read_as(PackingFormat format, const std::string& file, const std::str
     return read_vtk_spheres(file, contents);
   case PackingFormat::lammps_dump:
     return read_lammps_dump(file, text);
+  case PackingFormat::lammps_data:
+    return read_lammps_data(file, text);
   case PackingFormat::yade_export:
     return read_yade_export(file, text);
   case PackingFormat::plain_text:
     break;
   }
   if (text.find('\0') != std::string_view::npos)
-    throw InputError(fmt::format("{}: neither text nor VTK: it must be one of x y z r, CSV, YADE's export, a LAMMPS "
-                                 "dump, .vtp, .vtu and .vtk",
+    throw InputError(fmt::format("{}: neither text nor VTK: it must be one of x y z r, CSV, YADE's export, LAMMPS' "
+                                 "dump and data, .vtp, .vtu and .vtk",
                                  file));
   return read_plain_text(file, text);
 }

@@ -91,13 +91,19 @@ TEST(ReadPackingRefuses, TwoSpheresAtOnePlaceNamingBothLines) {
   EXPECT_TRUE(message.ends_with("p.txt:2 has it too")) << message;
 }
 
+TEST(ReadPacking, TakesTheNamedColumnsOfATableAsParaViewWritesIt) {
+  const TemporaryFile file("p.csv", "\"id\",\"radius\",\"Points:0\",\"Points:1\",\"Points:2\"\n"
+                                    "# box 0 0 0 1 1 1\n7,.125,.5,.25,.75\n");
+  EXPECT_EQ(read_packing(file.path()).spheres, (std::vector<Sphere>{{Vec3(.5, .25, .75), .125}}));
+}
+
 TEST(ReadPackingRefuses, WrongColumns) {
   EXPECT_EQ(complaint("# box 0 0 0 1 1 1\n.5 .5 .5\n"),
             "p.txt:2: \".5 .5 .5\" has 3 columns and must have four, the numbers x y z r (m); CSV needs a first line "
             "that names them");
   EXPECT_EQ(complaint("x,y,z,r\n# box 0 0 0 1 1 1\n.5,.5,.5,.1,7\n"),
-            "p.txt:3: \".5 .5 .5 .1 7\" has 5 columns and must have four, the numbers x y z r (m)");
-  for (const char* header : {"x,y,z", "x,y,z,d", "x,y,z,r,id", "x,y,r,radius", "hello"})
+            "p.txt:3: \".5 .5 .5 .1 7\" has 5 columns and must have 4, as its first line has");
+  for (const char* header : {"x,y,z", "x,y,z,d", "x,y,z,r,x", "x,y,r,radius", "hello"})
     EXPECT_EQ(complaint(std::string(header) + "\n# box 0 0 0 1 1 1\n"),
               std::string("p.txt:1: columns \"") + header +
                   "\" must be x, y, z and one of r, radius, radii, diameter, each once, in any order");

@@ -14,7 +14,7 @@ TEST_P(DamagedFile, IsRefusedInOneLineOrRead) {
 
 INSTANTIATE_TEST_SUITE_P(Formats, DamagedFile,
                          ::testing::Values("yade_text.txt", "yade_mat_id.txt", "yade_attrs.txt", "liggghts.dump",
-                                           "liggghts_scaled.dump", "plain.txt", "table.csv"),
+                                           "liggghts_scaled.dump", "liggghts.data", "plain.txt", "table.csv"),
                          [](const auto& sample) {
                            std::string name = sample.param;
                            std::ranges::replace(name, '.', '_');

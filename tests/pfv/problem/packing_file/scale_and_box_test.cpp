@@ -65,7 +65,8 @@ TEST(ScaleAndBox, ScaleMustBePositive) {
 
 TEST(ScaleAndBox, NothingThatIsNoTextIsTakenForIt) {
   EXPECT_EQ(complaint_of("p.gz", std::string("\x1f\x8b\x08\0\0\0", 6)),
-            "p.gz: neither text nor VTK: it must be one of x y z r, CSV, YADE's export, a LAMMPS dump, .vtp, .vtu and "
+            "p.gz: neither text nor VTK: it must be one of x y z r, CSV, YADE's export, LAMMPS' dump and data, .vtp, "
+            ".vtu and "
             ".vtk");
   EXPECT_EQ(
       complaint_of("p.txt", "\x1b[31m\n"),
