@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pfv {
 namespace {
@@ -68,6 +69,29 @@ void set_fluxes(SteadyFlow& flow) {
   flow.pumped = pumped(flow.system);
   if (!flow.system.offset.empty())
     flow.mean_flux = mean_flux(flow.network, flow.system, flow.pressure);
+}
+
+/// No pressure leaves those that are imposed, where nothing is pumped and none rises from box to box. Pores that hang
+/// on all others by throats that conduct 1e-16 of those among themselves get theirs from round-off: what lies outside
+/// is set to the nearest bound, which moves fluxes by as little. Returns how many were.
+std::size_t clamp(SteadyFlow& flow) {
+  constexpr double slack = 1e-9; // of the difference of the bounds: what a solver may leave
+  const auto pumps = [](const FaceCondition& face) { return std::holds_alternative<Flux>(face); };
+  if (!flow.system.rise.isZero(0) || std::ranges::any_of(flow.system.faces, pumps))
+    return 0;
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const FlowSystem::KnownPore& known : flow.system.known_pores)
+    if (known.source >= 0) {
+      least = std::min(least, known.pressure);
+      most = std::max(most, known.pressure);
+    }
+  std::size_t outside = 0;
+  for (double& pressure : flow.pressure)
+    if (pressure < least - slack * (most - least) || pressure > most + slack * (most - least)) {
+      pressure = std::clamp(pressure, least, most);
+      ++outside;
+    }
+  return outside;
 }
 
 void stop(SteadyFlow& flow) {
@@ -143,6 +167,7 @@ void FollowedFlow::solve(Clock& clock) {
     for (int attempt = 0; attempt == 0 || (attempt < most_attempts && flow_.imbalance() > balanced); ++attempt) {
       solve_with_flux_faces(flow_.network, flow_.system, *solver_, solution_);
       set_pore_pressures(flow_.system, solution_, flow_.pressure);
+      flow_.clamped_pores = clamp(flow_);
       set_fluxes(flow_);
       iterations += solver_->report().iterations;
       if (flow_.imbalance() > balanced && !has_way(flow_.system, flow_.network))

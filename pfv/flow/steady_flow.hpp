@@ -19,6 +19,7 @@ struct SteadyFlow {
   FlowSystem system;
   SolverReport solver;
   std::vector<double> pressure;      // Pa by pore
+  std::size_t clamped_pores = 0;     // whose pressure was round-off beyond those imposed: set to the nearest of these
   std::array<double, 6> face_flux{}; // m^3/s, positive out of the box; through periodic faces, in and out again
   std::vector<double> point_flux;    // m^3/s, taken out at each pressure point
   double flux_in = 0;                // m^3/s, sum over faces and points where fluid enters

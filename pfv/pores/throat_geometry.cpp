@@ -5,11 +5,13 @@
 #include "pfv/pores/throat_planes.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pfv {
 namespace {
 
 constexpr double no_facet = 1e-9;        // of a sphere's squared radius: one between spheres centred on a wall
+constexpr double no_opening = 1e-14;     // likewise: what round-off leaves of sectors as large as the sphere's section
 constexpr double inverted_below = -1e-6; // l of the largest side of the box; walls are only that exact
 
 class Measuring {
@@ -102,8 +104,11 @@ private:
     throats.wetted_surface[t] = measures.wetted;
     if (!throats.area.empty())
       throats.area[t] = measures.plane.area;
-    bool closed = throats.fluid_area[t] == 0;
     const auto corners = network_.corners(t);
+    for (const Vertex v : corners)
+      if (!is_wall(v) && throats.fluid_area[t] < no_opening * std::pow(network_.sites.spheres[v].radius, 2))
+        throats.fluid_area[t] = 0;
+    bool closed = throats.fluid_area[t] == 0;
     for (int c = 0; c < 3; ++c)
       if (const Vertex v = corners[c]; !is_wall(v)) {
         const double radius = network_.sites.spheres[v].radius;

@@ -71,6 +71,7 @@ public:
                      {"closed_throats", flow.network.closed_throats},
                      {"rounded_throats", flow.system.rounded_throats},
                      {"isolated_pores", flow.system.isolated_pores},
+                     {"clamped_pores", flow.clamped_pores},
                      {"hidden_spheres", flow.network.hidden_spheres.size()},
                      {"flat_pores", flow.network.flat_pores},
                      {"iterations", flow.solver.iterations},

@@ -15,7 +15,7 @@ constexpr const char* how_to_read =
 carry the bound that a value is held by; what is set in bold is outside of it. The matrix of every packing at rest is factorised by
 Cholesky, so that one which is not positive definite fails its row. Remedies are counted: throats *contracted* (their two pores
 nearly coincide), *closed* (spheres cover them), *rounded* (taken for round tubes), pores
-*isolated* (no way to a known pressure) or *flat*, throats *inverted*, spheres *hidden* by others.)";
+*isolated* (no way to a known pressure), *clamped* (pressures of round-off) or *flat*, throats *inverted*, spheres *hidden* by others.)";
 
 /// What follows about a group's own measures.
 std::string about(const std::string& group) {

@@ -79,6 +79,7 @@ std::string remedies(const SteadyFlow& flow) {
   add(flow.network.closed_throats, "closed");
   add(flow.system.rounded_throats, "rounded");
   add(flow.system.isolated_pores, "isolated");
+  add(flow.clamped_pores, "clamped");
   add(flow.network.flat_pores, "flat");
   add(flow.network.inverted_throats, "inverted");
   add(flow.network.hidden_spheres.size(), "hidden");

@@ -34,7 +34,7 @@ void expect_sound(const SteadyFlow& flow) {
 TEST(HardPackings, AreAnsweredSoundlyOrRefusedInOneLine) {
   const char* asked = std::getenv("PFV_HARD_PACKINGS");
   const int count = asked ? std::atoi(asked) : 300;
-  int answered = 0;
+  int answered = 0, clamped = 0;
   for (int n = 0; n < count; ++n) {
     SCOPED_TRACE("packing " + std::to_string(n));
     HardPackings packings(n);
@@ -49,6 +49,7 @@ TEST(HardPackings, AreAnsweredSoundlyOrRefusedInOneLine) {
       const SteadyFlow flow = solved(problem, options);
       expect_sound(flow);
       ++answered;
+      clamped += flow.clamped_pores > 0 ? 1 : 0;
     } catch (const InputError& refused) {
       EXPECT_TRUE(one_line(refused)) << refused.what();
     } catch (const SolveError& refused) {
@@ -60,6 +61,8 @@ TEST(HardPackings, AreAnsweredSoundlyOrRefusedInOneLine) {
       return;
   }
   EXPECT_GT(answered, .9 * count);
+  EXPECT_LE(clamped, 1 + count / 1000); // a remedy for one in ten thousand, not for a solver
+  std::printf("%d of %d answered, %d with clamped pores\n", answered, count, clamped);
 }
 
 } // namespace
