@@ -5,7 +5,9 @@
 #include "studies/commands/study_place.hpp"
 
 #include "pfv/problem/error.hpp"
+#include "studies/document/table.hpp"
 #include "studies/effect_cost/effect_study.hpp"
+#include "studies/motion/experiment.hpp"
 #include "studies/runner/progress.hpp"
 #include "studies/runner/study_run.hpp"
 #include "studies/runner/terminal.hpp"
@@ -14,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -31,7 +34,7 @@ struct RunOptions {
   bool json = false;
 };
 
-int run_command(RunOptions options) {
+int run_one(RunOptions options) {
   if (const Experiment* experiment = experiment_named(options.name)) {
     if (!options.scope.methods.empty() || options.settings.retry_failed || options.json || options.cpu_budget ||
         options.memory_budget || options.settings.jobs != RunSettings{}.jobs)
@@ -60,12 +63,49 @@ int run_command(RunOptions options) {
   return std::ranges::count(rows, Status::failed, &Row::status) > 0 ? 1 : 0;
 }
 
+std::vector<std::string> all_names() {
+  std::vector<std::string> names = study_names();
+  for (const Experiment& experiment : experiments())
+    names.emplace_back(experiment.name);
+  std::ranges::sort(names);
+  return names;
+}
+
+/// One after the other, each in its own work folder. One that cannot be run does not keep the others from it.
+int run_all(const RunOptions& options) {
+  if (!options.scope.methods.empty() || options.json || !options.settings.work.root.empty())
+    throw pfv::InputError("all studies take no --only, --json and --work, which are for one");
+  Table table{{{"study"}, {"ended"}, {"wall s", true}}, {}};
+  bool all_well = true;
+  for (const std::string& name : all_names()) {
+    RunOptions one = options;
+    if (experiment_named(name)) {
+      one = {};
+      one.scope.quick = options.scope.quick;
+    }
+    one.name = name;
+    const auto start = std::chrono::steady_clock::now();
+    std::string ended = "well";
+    try {
+      if (run_one(one) != 0)
+        ended = "with a failure";
+    } catch (const std::exception& error) {
+      ended = error.what();
+    }
+    all_well = all_well && ended == "well";
+    const std::chrono::duration<double> past = std::chrono::steady_clock::now() - start;
+    table.rows.push_back({name, ended, fmt::format("{:.0f}", past.count())});
+  }
+  fmt::print("\n{}", to_plain(table));
+  return all_well ? 0 : 1;
+}
+
 } // namespace
 
 void add_run(CLI::App& app, Invocation& invocation) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command = app.add_subcommand("run", "Does what a study plans and has not stored yet, then reports");
-  command->add_option("study", options->name, "Name of a study, or a folder with a study.toml")->required();
+  command->add_option("study", options->name, "Name of a study, a folder with a study.toml, or all")->required();
   command->add_flag("--quick", options->scope.quick, "Only the quick cases, on coarser meshes");
   command->add_option("--only", options->scope.methods, "Only this method, or these: a,b")->delimiter(',');
   command->add_flag("--fresh", options->settings.fresh, "Forget what is stored and start over");
@@ -79,7 +119,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
   command->add_option("--work", options->settings.work.root, "Work folder, instead of the study's own");
   command->callback([options, &invocation] {
     options->settings.study_executable = invocation.executable;
-    invocation.exit_code = run_command(*options);
+    invocation.exit_code = options->name == "all" ? run_all(*options) : run_one(*options);
   });
 }
 

@@ -64,6 +64,12 @@ TEST_F(Program, SaysWhatTheReaderOfAPackingNoticed) {
   EXPECT_NE(output.err.find("its box repeats along x"), std::string::npos) << output.err;
 }
 
+TEST(Run, AllStudiesTakeNothingThatIsForOne) {
+  const StudyOutput output = study({"run", "all", "--only", "exact"});
+  EXPECT_EQ(output.exit_code, 2);
+  EXPECT_EQ(output.err, "study: all studies take no --only, --json and --work, which are for one\n");
+}
+
 TEST(Index, HasALineForEveryStudy) {
   const TemporaryFolder folder;
   const StudyOutput output = study({"index", "--to", folder.path().string()});

@@ -3,7 +3,6 @@
 #include "pfv/problem/text.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -38,7 +37,7 @@ private:
   /// "12 atoms", "0 1 xlo xhi"; what else a header has says nothing of spheres.
   void read_header(const Fields& words) {
     if (words.size() == 2 && words[1] == "atoms")
-      read_count(words[0]);
+      atoms_ = lines_.count("number of atoms", words[0]);
     else if (words.size() == 6 && words[3] == "xy")
       lines_.fail(fmt::format("box \"{}\" must be orthogonal, without xy xz yz", fmt::join(words, " ")));
     else if (words.size() == 4)
@@ -49,13 +48,6 @@ private:
           bounded_[static_cast<std::size_t>(axis)] = true;
           list_.origin.box = fmt::format("{}:{}", lines_.file(), lines_.number());
         }
-  }
-
-  void read_count(std::string_view field) {
-    const auto value = to_number(field);
-    if (!value || !(*value >= 0 && *value <= 1e9) || *value != std::floor(*value))
-      lines_.fail(fmt::format("number of atoms \"{}\" must be a whole number, at most 1e9", shortened(field)));
-    atoms_ = static_cast<std::size_t>(*value);
   }
 
   void read_atoms() {

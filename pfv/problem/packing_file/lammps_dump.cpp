@@ -72,7 +72,7 @@ private:
     else if (title.starts_with("ITEM: TIME") || title.starts_with("ITEM: UNITS"))
       line_of("a value");
     else if (title.starts_with("ITEM: NUMBER OF ATOMS"))
-      atoms_ = count(line_of("the number of atoms"));
+      atoms_ = lines_.count("number of atoms", fmt::format("{}", fmt::join(line_of("the number of atoms"), " ")));
     else if (title.starts_with("ITEM: BOX BOUNDS"))
       read_bounds(split_at_blanks(title.substr(std::string_view("ITEM: BOX BOUNDS").size())));
     else if (title.starts_with("ITEM: ATOMS"))
@@ -87,14 +87,6 @@ private:
     if (!lines_.next())
       lines_.fail(fmt::format("the dump ends before {}", what));
     return split_at_blanks(lines_.line());
-  }
-
-  std::size_t count(const Fields& fields) const {
-    const auto value = fields.size() == 1 ? to_number(fields[0]) : std::nullopt;
-    if (!value || !(*value >= 0 && *value <= 1e9) || *value != std::floor(*value))
-      lines_.fail(fmt::format("number of atoms \"{}\" must be a whole number, at most 1e9",
-                              shortened(fmt::format("{}", fmt::join(fields, " ")))));
-    return static_cast<std::size_t>(*value);
   }
 
   void start_snapshot() {

@@ -4,6 +4,7 @@
 #include "pfv/problem/text.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace pfv {
@@ -53,6 +54,13 @@ double TextLines::length(std::string_view name, std::string_view field) const {
   if (!value)
     fail(fmt::format("{} \"{}\" must be a number (m)", name, shortened(field)));
   return *value;
+}
+
+std::size_t TextLines::count(std::string_view name, std::string_view field) const {
+  const auto value = to_number(field);
+  if (!value || !(*value >= 0 && *value <= 1e9) || *value != std::floor(*value))
+    fail(fmt::format("{} \"{}\" must be a whole number, at most 1e9", name, shortened(field)));
+  return static_cast<std::size_t>(*value);
 }
 
 void TextLines::fail(std::string_view message) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,9 @@ public:
 
   /// The field as a length. Throws InputError when it is no number; `name` is what the message calls it.
   double length(std::string_view name, std::string_view field) const;
+
+  /// The field as the number of something, at most 1e9. Throws likewise.
+  std::size_t count(std::string_view name, std::string_view field) const;
 
   /// Throws InputError "file:line: message".
   [[noreturn]] void fail(std::string_view message) const;
