@@ -116,7 +116,7 @@ Uplift lift_up(const Bed& bed, const Say& say) {
 
 ExperimentReport run_uplift(bool quick, const Say& say) {
   Bed bed;
-  bed.grains = quick ? 1000 : 2000;
+  bed.grains = quick ? 1500 : 2000;
   return uplift_report(lift_up(bed, say));
 }
 
