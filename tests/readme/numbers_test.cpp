@@ -18,7 +18,6 @@ namespace fs = std::filesystem;
 const fs::path project = PROJECT_FOLDER;
 const fs::path studies = project / "studies";
 
-
 /// What a study published: its report, or all CSV files where there is none.
 std::set<fs::path> results_of(const std::string& study) {
   const fs::path folder = studies / study / "results";

@@ -4,8 +4,8 @@
 #include "pfv/problem/text.hpp"
 #include "reference/temporary_folder.hpp"
 #include "studies/motion/stability/original.hpp"
-#include "studies/runner/files.hpp"
 #include "studies/runner/build_paths.hpp"
+#include "studies/runner/files.hpp"
 
 #include <algorithm>
 #include <cmath>
