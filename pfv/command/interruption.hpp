@@ -12,7 +12,8 @@ struct Interrupted : std::runtime_error {
 };
 
 /// While there is one, the first SIGINT (Ctrl-C) or SIGTERM is kept for the run to look at between steps; one that
-/// comes a second later or more ends the process at once (programs that stop others may send it twice). One at a time.
+/// comes more than a second later ends the process at once (programs that stop others may send it twice). One at a
+/// time.
 class Interruption {
 public:
   Interruption();

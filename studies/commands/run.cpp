@@ -63,14 +63,6 @@ int run_one(RunOptions options) {
   return std::ranges::count(rows, Status::failed, &Row::status) > 0 ? 1 : 0;
 }
 
-std::vector<std::string> all_names() {
-  std::vector<std::string> names = study_names();
-  for (const Experiment& experiment : experiments())
-    names.emplace_back(experiment.name);
-  std::ranges::sort(names);
-  return names;
-}
-
 /// One after the other, each in its own work folder. One that cannot be run does not keep the others from it.
 int run_all(const RunOptions& options) {
   if (!options.scope.methods.empty() || options.json || !options.settings.work.root.empty())

@@ -21,12 +21,8 @@ std::filesystem::path study_file(const std::string& name) {
         std::filesystem::path(name)})
     if (std::filesystem::is_regular_file(candidate))
       return candidate;
-  std::vector<std::string> known = study_names();
-  for (const Experiment& experiment : experiments())
-    known.emplace_back(experiment.name);
-  std::ranges::sort(known);
   throw pfv::InputError(fmt::format("unknown study '{}'; it can be one of {}, or a folder with a study.toml", name,
-                                    fmt::join(known, ", ")));
+                                    fmt::join(all_names(), ", ")));
 }
 
 std::vector<std::string> study_names() {
@@ -35,6 +31,14 @@ std::vector<std::string> study_names() {
     for (const auto& entry : std::filesystem::directory_iterator(studies_folder()))
       if (std::filesystem::exists(entry.path() / "study.toml"))
         names.push_back(entry.path().filename().string());
+  std::ranges::sort(names);
+  return names;
+}
+
+std::vector<std::string> all_names() {
+  std::vector<std::string> names = study_names();
+  for (const Experiment& experiment : experiments())
+    names.emplace_back(experiment.name);
   std::ranges::sort(names);
   return names;
 }

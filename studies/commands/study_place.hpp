@@ -16,4 +16,7 @@ std::filesystem::path study_file(const std::string& name);
 /// Names of the folders under studies_folder() that hold a study.toml, sorted.
 std::vector<std::string> study_names();
 
+/// These and the experiments, sorted.
+std::vector<std::string> all_names();
+
 } // namespace studies

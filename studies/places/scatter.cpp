@@ -2,22 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace studies {
 
 int look_of(const Study& study, const std::string& method) {
   return static_cast<int>(std::ranges::find(study.methods, method, &StudyMethod::name) - study.methods.begin());
-}
-
-double quantile(std::vector<double> values, double q) {
-  if (values.empty())
-    return std::numeric_limits<double>::quiet_NaN();
-  std::ranges::sort(values);
-  const double at = q * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(at);
-  const auto above = std::min(below + 1, values.size() - 1);
-  return values[below] + (at - static_cast<double>(below)) * (values[above] - values[below]);
 }
 
 Plot scatter(std::span<const PlaceCase> cases, const Study& study, const std::string& what, std::string caption,

@@ -21,7 +21,4 @@ Plot scatter(std::span<const PlaceCase> cases, const Study& study, const std::st
 /// The place of a method in its study, which gives it its colour.
 int look_of(const Study& study, const std::string& method);
 
-/// The value below which a share q of them lies, linear between neighbours; NaN of nothing.
-double quantile(std::vector<double> values, double q);
-
 } // namespace studies

@@ -2,6 +2,7 @@
 #include "studies/places/scatter.hpp"
 #include "studies/runner/compare.hpp"
 #include "studies/runner/number_text.hpp"
+#include "studies/runner/quantile.hpp"
 
 #include <fmt/format.h>
 

@@ -2,6 +2,7 @@
 
 #include "studies/runner/cost.hpp"
 #include "studies/runner/number_text.hpp"
+#include "studies/runner/quantile.hpp"
 
 #include <fmt/format.h>
 
@@ -17,14 +18,6 @@ namespace {
 struct Attempt {
   double error, cpu_seconds;
 };
-
-const Finding* reference_of(const Study& study, std::span<const Result> results, const std::string& case_id) {
-  for (const Result& result : results)
-    if (result.finding.case_id == case_id && result.finding.method == study.reference && result.finding.permeability &&
-        result.finding.permeability->error)
-      return &result.finding;
-  return nullptr;
-}
 
 /// From fine to coarse.
 std::vector<Attempt> mesh_by_mesh(const Finding& finding, const Bounded& reference) {
@@ -46,18 +39,12 @@ std::vector<Attempt> all_meshes(const Study& study, const Finding& finding, cons
   return {attempt};
 }
 
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
-}
-
 std::string cell(const CostOfAccuracy& found) {
   if (found.cases == 0)
     return "not told";
   if (found.cpu_seconds.empty())
     return "in none";
-  const std::string told = seconds(median(found.cpu_seconds));
+  const std::string told = seconds(quantile(found.cpu_seconds, 0.5));
   return found.cpu_seconds.size() == found.cases
              ? told
              : fmt::format("{} (in {} of {})", told, found.cpu_seconds.size(), found.cases);
@@ -70,8 +57,10 @@ CostOfAccuracy cost_of_accuracy(const Study& study, std::span<const Result> resu
   CostOfAccuracy found;
   for (const Result& result : results) {
     const Finding& finding = result.finding;
-    const Finding* reference = finding.method == method ? reference_of(study, results, finding.case_id) : nullptr;
-    if (!reference)
+    if (finding.method != method)
+      continue;
+    const Finding* reference = with_permeability(results, finding.case_id, study.reference);
+    if (!reference || !reference->permeability->error)
       continue;
     const Bounded& k = *reference->permeability;
     const double uncertain = *k.error / std::abs(k.value);

@@ -12,13 +12,6 @@ namespace studies {
 
 namespace {
 
-const Finding* finding_of(std::span<const Result> results, const std::string& case_id, const std::string& method) {
-  for (const Result& result : results)
-    if (result.finding.case_id == case_id && result.finding.method == method && result.finding.permeability)
-      return &result.finding;
-  return nullptr;
-}
-
 std::optional<double> sauter_diameter(std::span<const Result> results, const std::string& case_id) {
   for (const Result& result : results)
     if (result.finding.case_id == case_id && result.finding.sauter_diameter)
@@ -57,7 +50,7 @@ std::optional<CurvePoint> point_of(const Study& study, std::span<const Result> r
   for (const StudyCase& one : study.cases) {
     if (one.curve != curve || one.label != label)
       continue;
-    const Finding* finding = finding_of(results, one.id, method);
+    const Finding* finding = with_permeability(results, one.id, method);
     const auto diameter = sauter_diameter(results, one.id);
     if (!finding || !finding->told().porosity || !diameter)
       continue;
@@ -66,7 +59,7 @@ std::optional<CurvePoint> point_of(const Study& study, std::span<const Result> r
     value.values.push_back(k.value / (*diameter * *diameter));
     if (k.error)
       value.errors.push_back(*k.error / std::abs(k.value));
-    if (const Finding* other = finding_of(results, one.id, study.curve->compared_with))
+    if (const Finding* other = with_permeability(results, one.id, study.curve->compared_with))
       ratio.values.push_back(k.value / other->permeability->value);
   }
   if (porosities.empty())

@@ -14,13 +14,6 @@ namespace {
 
 constexpr double near = 0.05; // of 1: the closer look
 
-const Finding* reference_of(const Study& study, std::span<const Result> results, const std::string& case_id) {
-  for (const Result& result : results)
-    if (result.finding.case_id == case_id && result.finding.method == study.reference && result.finding.permeability)
-      return &result.finding;
-  return nullptr;
-}
-
 std::vector<const Result*> of_method(std::span<const Result> results, const std::string& method) {
   std::vector<const Result*> found;
   for (const Result& result : results)
@@ -92,7 +85,7 @@ std::vector<Plot> permeability_plots(const Study& study, std::span<const Result>
       {}};
   std::map<std::string, double> places;
   for (const StudyCase& one : study.cases)
-    if (const Finding* reference = reference_of(study, results, one.id)) {
+    if (const Finding* reference = with_permeability(results, one.id, study.reference)) {
       places[one.id] = static_cast<double>(all.y.categories.size());
       all.y.categories.push_back(place_of(study, one, *reference));
     }
@@ -104,7 +97,7 @@ std::vector<Plot> permeability_plots(const Study& study, std::span<const Result>
       if (const auto& difference = result->comparison.permeability) {
         const double ratio = 1 + difference->value;
         const double lane = 0.7 * ((static_cast<double>(m) + 0.5) / lanes - 0.5);
-        const Finding& reference = *reference_of(study, results, result->finding.case_id);
+        const Finding& reference = *with_permeability(results, result->finding.case_id, study.reference);
         series.points.push_back(
             {ratio, places[result->finding.case_id] + lane, ratio_error(result->finding, reference)});
         least = std::min(least, ratio);
@@ -150,7 +143,7 @@ Plot error_plot(const Study& study, std::span<const Result> results) {
     Series runs{"", Drawn::small_points, static_cast<int>(m), {}};
     std::map<double, std::pair<std::vector<double>, std::vector<double>>, std::greater<>> by_size;
     for (const Result* result : of_method(results, method)) {
-      const Finding* reference = reference_of(study, results, result->finding.case_id);
+      const Finding* reference = with_permeability(results, result->finding.case_id, study.reference);
       if (!reference || (method == study.reference && !reference->permeability->error))
         continue;
       if (!reference->permeability->error && reference->told().convergence_order)

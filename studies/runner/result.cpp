@@ -14,6 +14,14 @@ std::vector<Row> rows_of(std::span<const Row> rows, const std::string& case_id, 
 
 } // namespace
 
+const Finding* with_permeability(std::span<const Result> results, const std::string& case_id,
+                                 const std::string& method) {
+  for (const Result& result : results)
+    if (result.finding.case_id == case_id && result.finding.method == method && result.finding.permeability)
+      return &result.finding;
+  return nullptr;
+}
+
 std::vector<Result> results(const Study& study, std::span<const Row> rows, const std::filesystem::path& answers) {
   std::vector<Result> list;
   for (const StudyCase& one : study.cases) {

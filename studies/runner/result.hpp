@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace studies {
@@ -15,6 +16,10 @@ struct Result {
   Finding finding;
   Comparison comparison;
 };
+
+/// What the method says about the case when it has a permeability, else a null pointer.
+const Finding* with_permeability(std::span<const Result> results, const std::string& case_id,
+                                 const std::string& method);
 
 /// Groups rows by case and method, in the study's order, extrapolates each group and compares it with the study's
 /// reference. Rows of cases and methods the study does not have are left out.
