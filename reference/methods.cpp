@@ -18,6 +18,7 @@ std::vector<std::unique_ptr<Method>> make_methods() {
   list.push_back(make_pore_volumes_sor());
   list.push_back(make_pore_volumes_mixed_area());
   list.push_back(make_pore_volumes_calibrated());
+  list.push_back(make_pore_volumes_original_walls());
   list.push_back(make_yade());
   list.push_back(make_stokes_fem());
   list.push_back(make_openfoam());

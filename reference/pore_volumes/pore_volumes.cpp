@@ -17,9 +17,9 @@ namespace {
 
 class PoreVolumes final : public Method {
 public:
-  PoreVolumes(std::string name, std::string description, pfv::SolverChoice solver,
-              pfv::Conductance conductance = pfv::HydraulicRadius{})
-      : name_(std::move(name)), description_(std::move(description)), solver_(solver), conductance_(conductance) {}
+  PoreVolumes(std::string name, const std::string& particular = "", pfv::FlowOptions options = {})
+      : name_(std::move(name)), description_("pore-scale finite volumes (PFV)" + particular),
+        options_(std::move(options)) {}
 
   std::string name() const override { return name_; }
   std::string description() const override { return description_; }
@@ -40,17 +40,14 @@ public:
   /// program's own 20 MB.
   Estimate estimate(const pfv::Case& problem, const Request&) const override {
     const auto spheres = static_cast<double>(problem.packing.spheres.size());
-    const bool sor = std::holds_alternative<pfv::GaussSeidel>(solver_);
+    const bool sor = std::holds_alternative<pfv::GaussSeidel>(options_.solver);
     const double solve = sor ? 5e-6 * std::pow(spheres, 1.6) : 1e-5 * spheres;
     return {5.6 * spheres, 4e-5 * spheres + solve, 2e7 + 4e3 * spheres};
   }
 
   Answer solve(const pfv::Case& problem, const Request& request, pfv::Clock& clock) const override {
-    pfv::FlowOptions options;
-    options.solver = solver_;
-    options.conductance = conductance_;
     const MemoryMeter memory;
-    pfv::FollowedFlow followed(problem, options, clock);
+    pfv::FollowedFlow followed(problem, options_, clock);
     const pfv::SteadyFlow& flow = followed.flow();
     Answer answer;
     answer.method = name_;
@@ -76,7 +73,7 @@ public:
                      {"flat_pores", flow.network.flat_pores},
                      {"iterations", flow.solver.iterations},
                      {"flux_imbalance", flow.imbalance()}};
-    answer.notes = {{"solver", flow.solver.name}, {"conductance", conductance_note()}, {"walls", "mirror"}};
+    answer.notes = {{"solver", flow.solver.name}, {"conductance", conductance_note()}, {"walls", walls_note()}};
     if (flow.system.held_pores > 0)
       answer.counts["held_pores"] = static_cast<double>(flow.system.held_pores);
     if (!request.probes.empty())
@@ -91,37 +88,42 @@ public:
 private:
   std::string conductance_note() const {
     return std::visit([](const auto& rule) { return fmt::format("{}, alpha = {}", rule.name, rule.alpha); },
-                      conductance_);
+                      options_.conductance);
+  }
+
+  std::string walls_note() const {
+    return std::visit([](const auto& rule) { return std::string(rule.name); }, options_.walls);
   }
 
   std::string name_;
   std::string description_;
-  pfv::SolverChoice solver_;
-  pfv::Conductance conductance_;
+  pfv::FlowOptions options_;
 };
 
 } // namespace
 
 std::unique_ptr<Method> make_pore_volumes() {
-  return std::make_unique<PoreVolumes>("pore_volumes", "pore-scale finite volumes (PFV)", pfv::AutoSolver{});
+  return std::make_unique<PoreVolumes>("pore_volumes");
 }
 
 std::unique_ptr<Method> make_pore_volumes_sor() {
-  return std::make_unique<PoreVolumes>("pore_volumes_sor",
-                                       "pore-scale finite volumes (PFV), over-relaxed Gauss-Seidel as in the paper",
-                                       pfv::GaussSeidel{});
+  return std::make_unique<PoreVolumes>("pore_volumes_sor", ", over-relaxed Gauss-Seidel as in the paper",
+                                       pfv::FlowOptions{.solver = pfv::GaussSeidel{}});
 }
 
 std::unique_ptr<Method> make_pore_volumes_mixed_area() {
-  return std::make_unique<PoreVolumes>("pore_volumes_mixed_area",
-                                       "pore-scale finite volumes (PFV), conductance rule mixed-area",
-                                       pfv::AutoSolver{}, pfv::MixedArea{});
+  return std::make_unique<PoreVolumes>("pore_volumes_mixed_area", ", conductance rule mixed-area",
+                                       pfv::FlowOptions{.conductance = pfv::MixedArea{}});
 }
 
 std::unique_ptr<Method> make_pore_volumes_calibrated() {
-  return std::make_unique<PoreVolumes>("pore_volumes_calibrated",
-                                       "pore-scale finite volumes (PFV), conductance rule calibrated",
-                                       pfv::AutoSolver{}, pfv::Calibrated{});
+  return std::make_unique<PoreVolumes>("pore_volumes_calibrated", ", conductance rule calibrated",
+                                       pfv::FlowOptions{.conductance = pfv::Calibrated{}});
+}
+
+std::unique_ptr<Method> make_pore_volumes_original_walls() {
+  return std::make_unique<PoreVolumes>("pore_volumes_original_walls", ", wall factors of the original implementation",
+                                       pfv::FlowOptions{.walls = pfv::OriginalWalls{}});
 }
 
 } // namespace reference

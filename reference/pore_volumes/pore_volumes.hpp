@@ -18,4 +18,7 @@ std::unique_ptr<Method> make_pore_volumes_mixed_area();
 /// The model with the conductance rule `calibrated`.
 std::unique_ptr<Method> make_pore_volumes_calibrated();
 
+/// The model with the wall rule `original`, which is for comparison with YADE only.
+std::unique_ptr<Method> make_pore_volumes_original_walls();
+
 } // namespace reference

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 namespace studies {
 
@@ -77,11 +78,21 @@ void calibrate_command(const std::string& name) {
                      fmt::format("{:.4f}", fit.difference[n]), fmt::format("{:.4f}", fit.left_out[n])});
   const auto to = folder / "results" / "calibration.csv";
   write_file(to, table);
-  fmt::print("packings  {}\nopenness  {:.4f} +- {:.4f}\nlength    {:.4f} +- {:.4f}\ngap       {:.4f} +- {:.4f}\n",
-             known.size(), fit.rule.openness, fit.standard_error[0], fit.rule.length, fit.standard_error[1],
-             fit.rule.gap, fit.standard_error[2]);
-  fmt::print("ln ratio  {:.4f} rms fitted, {:.4f} rms left out, nine in ten within {:.4f}\n", rms(fit.difference),
-             rms(fit.left_out), bound(fit.left_out));
+
+  const auto [openness, length, gap] = fit.standard_error;
+  std::string whole = to_csv({"quantity", "value", "standard_error"});
+  const auto add = [&](const std::string& quantity, double value, std::optional<double> error = std::nullopt) {
+    const std::string bar = error ? fmt::format("{:.4f}", *error) : "";
+    whole += to_csv({quantity, fmt::format("{:.4f}", value), bar});
+    fmt::print("{:<22}  {:.4f}{}\n", quantity, value, error ? " +- " + bar : "");
+  };
+  add("openness", fit.rule.openness, openness);
+  add("length", fit.rule.length, length);
+  add("gap", fit.rule.gap, gap);
+  add("ln_ratio_rms_fitted", rms(fit.difference));
+  add("ln_ratio_rms_left_out", rms(fit.left_out));
+  add("ln_ratio_nine_in_ten", bound(fit.left_out));
+  write_file(folder / "results" / "fit.csv", whole);
   fmt::print("By packing: {}\n", to.string());
 }
 

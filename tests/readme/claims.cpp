@@ -24,20 +24,23 @@ struct Declared {
   std::vector<std::string> problems;
 };
 
-Declared declared_by(const Block& block, const std::function<bool(const Number&)>& is_known) {
+Declared declared_by(const Block& block, const Sources& sources) {
   Declared declared;
   for (const std::string& line : block.says) {
-    const auto note = line.starts_with("apart ") ? line.find(": ") : line.size();
-    if (line.starts_with("apart all: "))
-      continue;
-    if (line.starts_with("given ") || (line.starts_with("apart ") && note != line.npos)) {
-      for (const Number& number : numbers_in(line.substr(6, note - 6)))
+    if (line.starts_with("given ")) {
+      for (const Number& number : numbers_in(line.substr(6)))
         declared.numbers.push_back(number);
     } else if (const auto equals = line.find(" = "); equals != line.npos) {
       const auto claimed = numbers_in(line.substr(0, equals));
       try {
         Number derived = claimed.at(0);
-        derived.value = derive(line.substr(equals + 3), is_known);
+        const std::string value = line.substr(equals + 3);
+        const auto bar = value.find(" ± ");
+        derived.value = derive(value.substr(0, bar), sources);
+        if (derived.bar && bar == value.npos)
+          throw std::runtime_error("what its bar is does not stand there");
+        if (derived.bar)
+          derived.bar = derive(value.substr(bar + std::string_view(" ± ").size()), sources);
         if (!rounds_to(derived, claimed[0]))
           throw std::runtime_error("it is " + std::to_string(derived.value));
         declared.numbers.push_back(claimed[0]);
@@ -45,8 +48,7 @@ Declared declared_by(const Block& block, const std::function<bool(const Number&)
         declared.problems.push_back(line + ": " + error.what());
       }
     } else if (!line.starts_with("from ") && line != "by rows")
-      declared.problems.push_back(line +
-                                  ": not understood; allowed are given, apart ...: ..., ... = ..., from, by rows");
+      declared.problems.push_back(line + ": not understood; allowed are given, ... = ..., from, by rows");
   }
   return declared;
 }
@@ -79,7 +81,7 @@ std::vector<Block> blocks_of(const std::filesystem::path& readme) {
       continue;
     } else if (!line.empty()) {
       if (!open)
-        blocks.push_back({at, heading, {}, {}});
+        blocks.push_back({readme, at, heading, {}, {}});
       blocks.back().text.push_back(line);
       open = true;
       continue;
@@ -107,7 +109,7 @@ Held hold(const Block& block, const std::vector<Committed>& results) {
   const auto is_known = [&](const Number& number) {
     return std::ranges::any_of(results, [&](const Committed& is) { return is.has(number); });
   };
-  const Declared declared = declared_by(block, is_known);
+  const Declared declared = declared_by(block, {is_known, block.file.parent_path()});
   Held held;
   held.problems = declared.problems;
   const bool by_rows = std::ranges::find(block.says, "by rows") != block.says.end();

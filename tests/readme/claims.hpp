@@ -12,13 +12,12 @@ namespace readme {
 
 /// A paragraph, a list or a table, with what the comment at its end says of its numbers. The comment is a list of
 ///     given 0.1, 17                     of the question, no measurement
-///     apart 9.169e-5: pfv permeability  measured and not committed, and what measures it again
-///     apart all: pfv run ...            every number, in a paragraph of the README that no results hold
-///     38 % = 100 (1.288 / 0.9308 - 1)   derived: committed numbers, 1, 2, 60, 100, 1000 and + - * / ( )
+///     38 % = 100 (1.288 / 0.9308 - 1)   derived from committed numbers, see derive()
 ///     from results/moments.csv          held by this file too, as by one that the text links to
 ///     by rows                           each row of the table is found in one line of the results
 /// one a line.
 struct Block {
+  std::filesystem::path file;
   std::size_t line = 0; // its first
   std::string heading;  // it stands under
   std::vector<std::string> text;
@@ -33,7 +32,7 @@ std::set<std::string> sources_of(const Block& block);
 /// What came of a block's numbers.
 struct Held {
   std::vector<Number> found;         // in the results
-  std::size_t declared = 0;          // given, apart or derived
+  std::size_t declared = 0;          // given or derived
   std::vector<std::string> problems; // a line each
 };
 

@@ -1,5 +1,6 @@
 #include "readme/committed.hpp"
 
+#include "readme/columns.hpp"
 #include "readme/scanner.hpp"
 
 #include <algorithm>
@@ -10,19 +11,6 @@
 namespace readme {
 
 namespace {
-
-std::vector<std::string> cells_of(std::string_view row, char separator) {
-  std::vector<std::string> cells(1);
-  bool quoted = false;
-  for (const char c : row) {
-    quoted ^= c == '"';
-    if (c == separator && !quoted)
-      cells.emplace_back();
-    else
-      cells.back() += c;
-  }
-  return cells;
-}
 
 /// The unit that a column's title gives to its cells.
 void give_unit(const std::string& title, Number& number) {
