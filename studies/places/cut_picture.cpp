@@ -106,23 +106,37 @@ Figure cut(const Section& section, std::string caption, const std::vector<std::s
 
 } // namespace
 
-std::vector<Figure> pressure_cuts(std::span<const PlaceCase> cases) {
+const PlaceCase* shown_case(std::span<const PlaceCase> cases) {
   const auto random = std::ranges::find_if(
       cases, [](const PlaceCase& viewed) { return viewed.one.toml.find("random") != std::string::npos; });
+  return random != cases.end() ? &*random : cases.empty() ? nullptr : &cases.front();
+}
+
+Shares reference_shares(const PlaceCase& viewed) {
+  Shares shares{0, 0, {}};
+  const auto pressures = viewed.pressures();
+  if (pressures.empty())
+    return shares;
+  std::vector<double> known = pressures.front().reference;
+  std::erase_if(known, [](double value) { return std::isnan(value); });
+  const auto [least, most] = std::ranges::minmax(known);
+  shares = {least, most, {}};
+  for (const double pressure : pressures.front().reference)
+    shares.of_pore.push_back((pressure - least) / (most - least));
+  return shares;
+}
+
+std::vector<Figure> pressure_cuts(std::span<const PlaceCase> cases) {
+  const PlaceCase* random = shown_case(cases);
   std::vector<Figure> figures;
-  if (random == cases.end())
+  if (random == nullptr)
     return figures;
   const Section section(*random);
   const double drop = std::abs(random->rise);
   for (const PlacePairs& pairs : random->pressures()) {
     const std::size_t pores = pairs.values.size();
     if (figures.empty()) {
-      std::vector<double> shares(pores);
-      std::vector<double> known = pairs.reference;
-      std::erase_if(known, [](double value) { return std::isnan(value); });
-      const auto [least, most] = std::ranges::minmax(known);
-      for (std::size_t i = 0; i < pores; ++i)
-        shares[i] = (pairs.reference[i] - least) / (most - least);
+      const auto [least, most, shares] = reference_shares(*random);
       figures.push_back(
           cut(section,
               fmt::format("{}, {}: pressure in the pores, from dark at {} to bright at {} of the drop. "

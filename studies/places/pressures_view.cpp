@@ -1,3 +1,4 @@
+#include "studies/places/cut_in_space.hpp"
 #include "studies/places/cut_picture.hpp"
 #include "studies/places/place_views.hpp"
 #include "studies/places/scatter.hpp"
@@ -143,8 +144,9 @@ void add_pressures(std::span<const PlaceCase> cases, const Study& study, Documen
       [](const PlaceCase& viewed) { return viewed.pressures(); }, drop));
   for (const PlaceCase& viewed : cases)
     page.add(profile(viewed, study));
-  for (const Figure& figure : pressure_cuts(cases))
-    page.add(figure);
+  for (const auto& figures : {pressure_cuts(cases), pressure_in_space(cases)})
+    for (const Figure& figure : figures)
+      page.add(figure);
 }
 
 } // namespace studies
