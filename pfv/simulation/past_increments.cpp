@@ -5,14 +5,6 @@
 #include <algorithm>
 
 namespace pfv {
-namespace {
-
-/// Of the solution: the image of a smaller increment, a difference of two residuals, is known to less than eight
-/// digits.
-constexpr double least_share = 1e-8;
-
-} // namespace
-
 void PastIncrements::improve(Eigen::VectorXd& solution, Eigen::VectorXd& residual) {
   start_ = solution;
   start_residual_ = residual;
@@ -25,7 +17,7 @@ void PastIncrements::improve(Eigen::VectorXd& solution, Eigen::VectorXd& residua
   for (int i = 0; i < count_; ++i)
     work[i] = scale[i] * increment_[i].dot(residual);
   SmallMatrix energy = scale.asDiagonal() * energy_.topLeftCorner(count_, count_) * scale.asDiagonal();
-  energy.diagonal().array() += 1e-13; // increments along the same line leave nothing of one another
+  energy.diagonal().array() += 1e-8; // of increments along one line little but round-off is left
   const Eigen::LLT<SmallMatrix> factor(energy);
   if (factor.info() != Eigen::Success) // round-off: they say nothing
     return;
@@ -38,12 +30,11 @@ void PastIncrements::improve(Eigen::VectorXd& solution, Eigen::VectorXd& residua
   }
 }
 
-void PastIncrements::remember(const Eigen::VectorXd& solution, const Eigen::VectorXd& residual) {
+void PastIncrements::remember(const Eigen::VectorXd& solution, const Eigen::VectorXd& residual, double negligible) {
   increment_[next_] = solution - start_;
   image_[next_] = start_residual_ - residual;
-  const bool noise = increment_[next_].squaredNorm() <= least_share * least_share * solution.squaredNorm();
-  if (noise || !(increment_[next_].dot(image_[next_]) > 0)) {
-    count_ = std::min(count_, next_); // nothing has changed, or not by a solution
+  if (!(increment_[next_].dot(image_[next_]) > negligible)) {
+    count_ = std::min(count_, next_);
     return;
   }
   count_ = std::max(count_, next_ + 1);

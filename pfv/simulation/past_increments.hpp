@@ -13,8 +13,9 @@ class PastIncrements {
 public:
   /// From the last solution, with its residual b - K x, to the guess: adds what the increments can do.
   void improve(Eigen::VectorXd& solution, Eigen::VectorXd& residual);
-  /// Remembers what has become of them, in place of the oldest increment.
-  void remember(const Eigen::VectorXd& solution, const Eigen::VectorXd& residual);
+  /// Remembers what has become of them, in place of the oldest increment. One whose square in the norm of K is
+  /// negligible is forgotten: its image, a difference of two residuals, is round-off where K is stiff.
+  void remember(const Eigen::VectorXd& solution, const Eigen::VectorXd& residual, double negligible);
   void clear() { count_ = next_ = 0; }
   /// K has changed: `product(x, y)` is y = K x.
   template <class Product>

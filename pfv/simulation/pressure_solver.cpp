@@ -48,9 +48,10 @@ int PressureSolver::solve(const Eigen::VectorXd& right_side, double tolerance, E
       left *= new_size / size;
       size = new_size;
     }
-    if (left <= tolerance * tolerance * std::abs(x.dot(right_side))) {
+    if (const double whole = std::abs(x.dot(right_side)); left <= tolerance * tolerance * whole) {
+      constexpr double negligible = 1e-2; // of the tolerance
       if (past != nullptr)
-        past->remember(x, residual_);
+        past->remember(x, residual_, std::pow(negligible * tolerance, 2) * whole);
       return n + 1;
     }
   }

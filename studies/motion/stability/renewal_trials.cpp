@@ -84,7 +84,7 @@ Measured steady_motion(double wobble) {
     if (n % 40 == 0)
       worst = std::max(worst, difference(PoreFluid(exact, box.packing, clock).forces(velocity, {}, 1, clock), forces));
   }
-  return {{{"rms error of the forces", worst, 0, 1e-5},
+  return {{{"rms error of the forces", worst, 0, box.fluid->tolerance},
            {"iterations a step", static_cast<double>(fluid.iterations) / steps}}};
 }
 

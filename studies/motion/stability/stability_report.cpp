@@ -37,7 +37,7 @@ std::string about(const std::string& group) {
   if (group == "Steady motion")
     return "Velocities of 150 spheres that are nearly the same for 400 steps: forces of a fluid that starts every step "
            "from "
-           "the last pressures and their changes, to a tolerance of 1e-6, against those of one without a past.";
+           "the last pressures and their changes, to a tolerance of 1e-4, against those of one without a past.";
   if (group == "Explicit steps below the limit")
     return "150 grains in a fluid of 300 Pa s, 3000 steps; the limit is that of contacts and fluid together. The "
            "original "
