@@ -18,7 +18,8 @@ namespace studies {
 namespace {
 
 std::string sources() {
-  return digest_of_sources({"pfv/problem", "pfv/pores", "pfv/solvers", "pfv/flow", "pfv/grains", "pfv/simulation"});
+  return digest_of_sources(
+      {"pfv/problem", "pfv/pores", "pfv/solvers", "pfv/flow", "pfv/grains", "pfv/simulation", "studies/effect_cost"});
 }
 
 /// Of a preparation and the sources it runs with: another one leaves another packing.

@@ -30,6 +30,9 @@ foreach(part pfv meshing reference)
     endif()
   endforeach()
 endforeach()
+# What times the steps of scenes; all else in this folder tells of answers and does not make them.
+file(GLOB_RECURSE all LIST_DIRECTORIES false ${SOURCE}/studies/effect_cost/*)
+add_digest(studies/effect_cost ${all})
 
 execute_process(COMMAND git -C ${SOURCE} describe --always --dirty --abbrev=12
                 OUTPUT_VARIABLE COMMIT OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
