@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace studies {
 
@@ -45,7 +46,14 @@ ExperimentReport run_consolidation(bool quick, const Say& say) {
   std::vector<double> time_factors{0.01, 0.02, 0.03, 0.04};
   for (int k = 1; k <= 20; ++k)
     time_factors.push_back(0.05 * k);
-  return consolidation_report(consolidate(test, time_factors, say), test);
+  const Consolidation first = consolidate(test, time_factors, say);
+  std::vector<OtherLayer> others;
+  for (Oedometer other = test; !quick && others.size() < 2;) {
+    ++other.seed;
+    say(fmt::format("the layer of seed {}", other.seed), 0);
+    others.push_back({other.seed, error_of(consolidate(other, time_factors, say))});
+  }
+  return consolidation_report(first, test, others);
 }
 
 } // namespace studies

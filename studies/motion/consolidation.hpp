@@ -3,6 +3,8 @@
 #include "studies/motion/experiment.hpp"
 #include "studies/motion/oedometer.hpp"
 
+#include <span>
+
 namespace studies {
 
 /// How far a test is from Terzaghi's solution for its layer: over all moments with 0.05 <= T <= 1, relative to the
@@ -19,7 +21,14 @@ double expected_pressure(const Layer& layer, double time_factor, double share);
 
 ConsolidationError error_of(const Consolidation& test);
 
-ExperimentReport consolidation_report(const Consolidation& test, const Oedometer& asked);
+/// Of one test, and of the errors of others whose packings differ by their seed alone.
+struct OtherLayer {
+  unsigned seed;
+  ConsolidationError error;
+};
+
+ExperimentReport consolidation_report(const Consolidation& test, const Oedometer& asked,
+                                      std::span<const OtherLayer> others = {});
 ExperimentReport run_consolidation(bool quick, const Say& say);
 
 inline constexpr Experiment consolidation_experiment{"consolidation",

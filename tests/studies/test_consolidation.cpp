@@ -64,6 +64,11 @@ TEST(Consolidation, OfASmallLayerKeepsItsEnergyAndComesNearTerzaghi) {
   }
   const ExperimentReport report = consolidation_report(test, asked);
   EXPECT_NE(to_markdown(report.page).find("c_v"), std::string::npos);
+  // Another layer that is further off is what counts.
+  const OtherLayer other{7, {0.5, 0.1, 0, 0}};
+  const ExperimentReport both = consolidation_report(test, asked, std::span(&other, 1));
+  EXPECT_FALSE(both.holds);
+  EXPECT_NE(to_markdown(both.page).find("| 7 | 50 %"), std::string::npos);
 }
 
 } // namespace
