@@ -7,8 +7,6 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include <numeric>
-
 namespace pfv {
 namespace {
 
@@ -40,13 +38,6 @@ std::string words(const StepLimits& limits) {
   if (limits.lubrication)
     text += fmt::format(", {:.3g} s of the lubrication", *limits.lubrication);
   return text;
-}
-
-double mean_pressure(const Simulation& simulation) {
-  const auto& fluid = *simulation.fluid();
-  const auto& volume = fluid.network().pores.void_volume;
-  const double sum = std::inner_product(volume.begin(), volume.end(), fluid.pressure().begin(), 0.0);
-  return sum / std::reduce(volume.begin(), volume.end());
 }
 
 /// Kinetic and elastic energy (J), half a step apart.
@@ -118,7 +109,7 @@ std::string closing_report(const Simulation& simulation) {
   if (const auto& films = cycle.films)
     line("films", fmt::format("{}, {} of them at the roughness", films->count, films->at_roughness));
   if (const auto& fluid = simulation.fluid()) {
-    line("pressure", fmt::format("{:.6g} Pa, mean over the fluid", mean_pressure(simulation)));
+    line("pressure", fmt::format("{:.6g} Pa, mean over the fluid", fluid->mean_pressure()));
     line("pores renewed",
          fmt::format("{} times in place, {} times triangulated anew", fluid->refreshed, fluid->rebuilt));
     line("iterations", fmt::format("{:.2f} for a pressure field",
@@ -162,7 +153,7 @@ std::string json_report(const Scene& scene, const Simulation& simulation) {
   if (const auto& films = cycle.films)
     json["films"] = {{"count", films->count}, {"at_roughness", films->at_roughness}};
   if (const auto& fluid = simulation.fluid()) {
-    json["mean_pressure"] = mean_pressure(simulation);
+    json["mean_pressure"] = fluid->mean_pressure();
     json["pores"] = fluid->network().pores.size();
     json["refreshed"] = fluid->refreshed;
     json["rebuilt"] = fluid->rebuilt;
@@ -203,7 +194,7 @@ std::string history_row(const Simulation& simulation) {
                      energy.contact_damping, energy.local_damping,
                      cycle.films ? fmt::format("{:.9g}", energy.lubrication) : "",
                      simulation.fluid() ? fmt::format("{:.9g}", energy.fluid) : "",
-                     simulation.fluid() ? fmt::format("{:.9g}", mean_pressure(simulation)) : "");
+                     simulation.fluid() ? fmt::format("{:.9g}", simulation.fluid()->mean_pressure()) : "");
 }
 
 } // namespace pfv

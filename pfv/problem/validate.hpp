@@ -27,6 +27,8 @@ void validate(const PressurePoint& point, const Box& box);
 void validate(const Buoyancy& buoyancy);
 
 /// The pressure is known somewhere, or driven along a periodic axis: otherwise the flow has no cause, or no answer.
-void validate_level(const FaceConditions& faces, std::span<const PressurePoint> points);
+/// `or_else` ends the message with what else would do.
+void validate_level(const FaceConditions& faces, std::span<const PressurePoint> points,
+                    std::string_view or_else = "or a periodic axis a gradient");
 
 } // namespace pfv

@@ -94,7 +94,7 @@ void validate(const FaceConditions& faces) {
       validate_beside(faces, axis);
 }
 
-void validate_level(const FaceConditions& faces, std::span<const PressurePoint> points) {
+void validate_level(const FaceConditions& faces, std::span<const PressurePoint> points, std::string_view or_else) {
   const auto known = [](const FaceCondition& face) {
     return std::holds_alternative<Pressure>(face) || std::holds_alternative<PressureProfile>(face);
   };
@@ -104,8 +104,8 @@ void validate_level(const FaceConditions& faces, std::span<const PressurePoint> 
   for (const FaceCondition& face : faces)
     conditions.push_back(quoted(face));
   throw InputError(fmt::format("faces {} leave the pressure without a level; at least one face or point must have a "
-                               "pressure, or a periodic axis a gradient",
-                               fmt::join(conditions, ", ")));
+                               "pressure, {}",
+                               fmt::join(conditions, ", "), or_else));
 }
 
 } // namespace pfv

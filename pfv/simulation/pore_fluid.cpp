@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numeric>
 
 namespace pfv {
 namespace {
@@ -23,7 +24,8 @@ bool turned_around(const PoreNetwork& network, double allowed) {
 } // namespace
 
 PoreFluid::PoreFluid(const FluidScene& scene, const Packing& packing, Clock& clock) : scene_(scene) {
-  validate_level(scene.faces, scene.pressure_points);
+  if (!scene.compressible)
+    validate_level(scene.faces, scene.pressure_points, "or the fluid be compressible");
   for (const auto& condition : scene.faces) {
     if (std::holds_alternative<Flux>(condition))
       throw InputError("a face of a box whose grains move must be slip, periodic or at a pressure, not at a flux");
@@ -34,12 +36,21 @@ PoreFluid::PoreFluid(const FluidScene& scene, const Packing& packing, Clock& clo
   for (const Sphere& sphere : packing.spheres)
     mean_radius_ += sphere.radius / static_cast<double>(packing.spheres.size());
   build(packing, clock);
-  solution_.setZero(static_cast<Eigen::Index>(system_.unknowns()));
-  const GramTerm none;
-  PressureSolver at_rest;
-  at_rest.set(system_.matrix, none);
-  at_rest.solve(system_.right_side, scene_.tolerance, solution_);
-  set_pore_pressures(system_, solution_, pressure_);
+  start_in_steady_flow();
+}
+
+void PoreFluid::start_in_steady_flow() {
+  const auto solve = [&](const FlowSystem& system) {
+    const GramTerm none;
+    PressureSolver steady;
+    steady.set(system.matrix, none);
+    steady.solve(system.right_side, scene_.tolerance, solution_.setZero(static_cast<Eigen::Index>(system.unknowns())));
+    set_pore_pressures(system, solution_, pressure_);
+  };
+  if (!scene_.compressible)
+    return solve(system_);
+  solve(pfv::assemble(network_, throats_, scene_.faces, scene_.pressure_points));
+  start_from(std::vector(pressure_));
 }
 
 void PoreFluid::build(const Packing& packing, Clock& clock) {
@@ -67,7 +78,8 @@ Packing PoreFluid::in_box(const Packing& packing) const {
 
 void PoreFluid::assemble_anew(Clock& clock) {
   const auto timing = clock.stage("assemble");
-  system_ = assemble(network_, throats_, scene_.faces, scene_.pressure_points);
+  system_ = assemble(network_, throats_, scene_.faces, scene_.pressure_points,
+                     scene_.compressible ? Isolated::unknown : Isolated::at_mean);
   set_flux();
   increments_.clear();
   mode_.resize(0);
@@ -93,17 +105,22 @@ void PoreFluid::set_flux() {
   matrix_is_set_ = false;
 }
 
+/// The matrix of the flow, and on its diagonal what a compressible fluid stores in a step (s); `room` is for the two.
+const FlowMatrix& PoreFluid::with_storage(double step, FlowMatrix& room) const {
+  if (!scene_.compressible)
+    return system_.matrix;
+  room = system_.matrix;
+  room.diagonal() += storage_ / step;
+  return room;
+}
+
 /// What a step adds to the matrix of the flow: the storage of the fluid, and the motion of the solid within it.
 void PoreFluid::set_matrix(std::span<const double> per_mass, double step) {
   const bool implicit = !per_mass.empty();
   if (matrix_is_set_ && step == of_step_ && implicit == !solid_.empty())
     return;
-  if (scene_.compressible) {
-    stored_ = system_.matrix;
-    stored_.diagonal() += storage_ / step;
-  }
   solid_ = implicit ? solid_term(flux_, system_, per_mass, step) : GramTerm{};
-  solver_.set(matrix(), solid_);
+  solver_.set(with_storage(step, stored_), solid_);
   solver_.renew(increments_);
   of_step_ = step;
   matrix_is_set_ = true;
@@ -137,8 +154,20 @@ void PoreFluid::follow(const Packing& packing, Clock& clock) {
 
 void PoreFluid::renew(const Packing& packing, Clock& clock) {
   const auto bodies = flux_.body;
+  const double mean = mean_pressure();
   build(packing, clock);
   start_from(carried_over(bodies, pressure_, flux_.body, flux_.bodies));
+  if (scene_.compressible)
+    keep_mean(mean);
+}
+
+/// No fluid is lost between other pores: moves all unknown pressures alike until the mean is this (Pa).
+void PoreFluid::keep_mean(double pressure) {
+  const double moved = scene_.compressible->bulk_modulus * storage_.sum();
+  if (!(moved > 0))
+    return;
+  solution_.array() += (pressure - mean_pressure()) * network_.porosity() * network_.box.volume() / moved;
+  start_from_solution();
 }
 
 /// Forgets all but the pressures (Pa, by pore).
@@ -231,7 +260,7 @@ const std::vector<Vec3>& PoreFluid::forces(std::span<const Vec3> velocity, std::
   return force_;
 }
 
-double PoreFluid::largest_rate(std::span<const double> per_mass, Clock& clock) {
+double PoreFluid::largest_rate(std::span<const double> per_mass, double longest, Clock& clock) {
   const auto timing = clock.stage("stable step");
   constexpr int most_steps = 100;
   constexpr double settled = 1e-3, tolerance = 1e-4;
@@ -239,8 +268,10 @@ double PoreFluid::largest_rate(std::span<const double> per_mass, Clock& clock) {
   if (size == 0)
     return 0;
   const GramTerm solid = solid_term(flux_, system_, per_mass, 1), none;
+  FlowMatrix stored;
+  const FlowMatrix& matrix = with_storage(0.5 * longest, stored);
   PressureSolver solver;
-  solver.set(system_.matrix, none);
+  solver.set(matrix, none);
   if (mode_.size() != size) {
     mode_.resize(size);
     for (Eigen::Index i = 0; i < size; ++i)
@@ -250,8 +281,8 @@ double PoreFluid::largest_rate(std::span<const double> per_mass, Clock& clock) {
   Eigen::VectorXd resisted, pushed;
   for (int n = 0; n < most_steps; ++n) {
     // x -> A^-1 B M^-1 B^T x, whose Rayleigh quotient in the norm of A is x.B M^-1 B^T x / x.A x.
-    const double power = multiply(system_.matrix, none, mode_, of_block_, resisted);
-    const double next = multiply(system_.matrix, solid, mode_, of_block_, pushed) / power - 1;
+    const double power = multiply(matrix, none, mode_, of_block_, resisted);
+    const double next = multiply(matrix, solid, mode_, of_block_, pushed) / power - 1;
     pushed -= resisted;
     mode_ *= next;
     solver.solve(pushed, tolerance, mode_);
@@ -262,6 +293,12 @@ double PoreFluid::largest_rate(std::span<const double> per_mass, Clock& clock) {
       break;
   }
   return rate;
+}
+
+double PoreFluid::mean_pressure() const {
+  const auto& volume = network_.pores.void_volume;
+  return std::inner_product(volume.begin(), volume.end(), pressure_.begin(), 0.0) /
+         std::reduce(volume.begin(), volume.end());
 }
 
 double PoreFluid::dissipation() const {

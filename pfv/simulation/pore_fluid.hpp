@@ -52,6 +52,8 @@ struct FluidState {
 /// around; pressures are carried over.
 class PoreFluid {
 public:
+  /// In a steady flow; a fluid that no imposed pressure reaches is at the mean of these, or at zero without any. Throws
+  /// InputError when nothing sets the level of the pressures: neither a face or point nor storage.
   PoreFluid(const FluidScene& scene, const Packing& packing, Clock& clock);
   PoreFluid(const PoreFluid&) = delete; // the solver points to the matrices
   PoreFluid& operator=(const PoreFluid&) = delete;
@@ -75,13 +77,17 @@ public:
   const std::vector<Vec3>& forces(std::span<const Vec3> velocity, std::span<const double> per_mass, double step,
                                   Clock& clock);
 
-  /// Largest eigenvalue (1/s) of M^-1 B A^-1 B^T: an explicit step longer than 2 / it is unstable.
-  double largest_rate(std::span<const double> per_mass, Clock& clock);
+  /// Largest eigenvalue (1/s) of M^-1 B A^-1 B^T: an explicit step longer than 2 / it is unstable. What a compressible
+  /// fluid stores, S by pore, stiffens the shorter the step: with A + 2 S / step in the place of A the same holds of
+  /// all steps up to `longest` (s).
+  double largest_rate(std::span<const double> per_mass, double longest, Clock& clock);
 
   const PoreNetwork& network() const { return network_; }
   const FlowSystem& system() const { return system_; }
   const SolidFlux& flux() const { return flux_; }
   const std::vector<double>& pressure() const { return pressure_; } // Pa, by pore
+  /// Pa, over the fluid.
+  double mean_pressure() const;
   /// J/s, dissipated by the flow between pores in the last solution.
   double dissipation() const;
 
@@ -89,15 +95,17 @@ public:
 
 private:
   void build(const Packing& packing, Clock& clock);
+  void start_in_steady_flow();
   void start_from(const std::vector<double>& pressure);
+  void keep_mean(double pressure);
   void start_from_solution();
   Packing in_box(const Packing& packing) const;
   void assemble_anew(Clock& clock);
   bool refresh_system(Clock& clock);
   void set_flux();
   void set_known_force();
+  const FlowMatrix& with_storage(double step, FlowMatrix& room) const;
   void set_matrix(std::span<const double> per_mass, double step);
-  const FlowMatrix& matrix() const { return scene_.compressible ? stored_ : system_.matrix; }
   void add_to_unknowns(const std::vector<double>& of_pores, Eigen::VectorXd& sum) const;
 
   FluidScene scene_;

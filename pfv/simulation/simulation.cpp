@@ -23,13 +23,13 @@ std::vector<double> per_mass(const GrainCycle& cycle) {
   return inverse;
 }
 
-/// N, of the stress on a loaded wall.
-Vec3 load_on_wall(const GrainCycle& cycle, std::size_t face) {
-  const auto* loaded = std::get_if<LoadedWall>(&cycle.scene.walls.motion[face]);
-  if (!loaded)
-    return Vec3::Zero();
+/// N, of the stress on a loaded wall, or of who moves one against the fluid.
+Vec3 load_on_wall(const GrainCycle& cycle, std::size_t face, const Vec3& of_fluid) {
+  const WallMotion& motion = cycle.scene.walls.motion[face];
   const auto wall = static_cast<Face>(face);
-  return -loaded->stress * area_of(cycle.grains.packing.box, wall) * outward_normal(wall);
+  if (const auto* loaded = std::get_if<LoadedWall>(&motion))
+    return -loaded->stress * area_of(cycle.grains.packing.box, wall) * outward_normal(wall);
+  return std::holds_alternative<MovingWall>(motion) ? Vec3(-of_fluid) : Vec3::Zero();
 }
 
 void require_fluid_to_repeat_with_grains(const Scene& scene) {
@@ -118,7 +118,7 @@ void Simulation::impose(Face face, double pressure) {
 void Simulation::choose_step() {
   limits_ = limits_of(cycle_);
   if (fluid_ && std::holds_alternative<Explicit>(scene_.scheme))
-    limits_.viscous = 2 / fluid_->largest_rate(per_mass_, clock_);
+    limits_.viscous = 2 / fluid_->largest_rate(per_mass_, scene_.step.value_or(limits_.chosen()), clock_);
   step_ = scene_.step.value_or(limits_.chosen());
 }
 
@@ -166,9 +166,10 @@ void Simulation::advance_with_fluid() {
   const auto after = body_velocities();
   for (std::size_t k = 0; k < after.size(); ++k)
     cycle_.energy.fluid -= step_ * fluid_force_[k].dot(0.5 * (before[k] + after[k]));
-  for (std::size_t face = 0; face < 6; ++face)
-    cycle_.energy.loads +=
-        step_ * load_on_wall(cycle_, face).dot(0.5 * (before[grains.size() + face] + after[grains.size() + face]));
+  for (std::size_t face = 0; face < 6; ++face) {
+    const std::size_t k = grains.size() + face;
+    cycle_.energy.loads += step_ * load_on_wall(cycle_, face, fluid_force_[k]).dot(0.5 * (before[k] + after[k]));
+  }
 }
 
 void Simulation::check_stability() {

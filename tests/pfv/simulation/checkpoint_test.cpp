@@ -127,6 +127,15 @@ TEST(Checkpoint, ACompressibleFluidInAPeriodicBoxGoesOnBitForBit) {
   expect_to_go_on_alike(scene, 50);
 }
 
+TEST(Checkpoint, ASealedBoxGoesOnBitForBit) {
+  Scene scene = drained_box(60, 1.5, 1e3);
+  scene.fluid->faces = {};
+  scene.fluid->compressible = CompressibleFluid{1e5};
+  scene.fluid->refresh_drift = 1e-4;
+  scene.fluid->rebuild_drift = 1e-2;
+  expect_to_go_on_alike(scene, 50);
+}
+
 TEST(Checkpoint, LeavesGrainsAsTheyAre) {
   const Scene scene = dry();
   Simulation alone(scene), saved(scene);
