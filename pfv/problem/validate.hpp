@@ -23,6 +23,7 @@ void validate(const Packing& packing, const PackingOrigin& origin, const Periodi
 void validate(const Sphere& sphere, const std::string& place); // whatever its box
 void validate(const Fluid& fluid);
 void validate(const FaceConditions& faces);
+void validate(const PressureInTime& pressure, Face face);
 void validate(const PressurePoint& point, const Box& box);
 void validate(const Buoyancy& buoyancy);
 

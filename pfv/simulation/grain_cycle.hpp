@@ -26,13 +26,13 @@ struct GrainScene {
 /// Where the energy went since the start (J). What loads and gravity put in is kinetic and elastic energy or one of the
 /// losses.
 struct EnergyBalance {
-  double loads = 0;    // work of the stresses on loaded walls and of walls that move at a velocity
+  double loads = 0;    // work of stresses on loaded walls, of walls that move at a velocity, of imposed pressures
   double gravity = 0;  // work of the body forces: of the weight, less that of the displaced fluid
   double friction = 0; // lost in contacts that slip
   double contact_damping = 0;
   double local_damping = 0;
   double lubrication = 0; // dissipated in the films between grains
-  double fluid = 0;       // taken by the fluid, with what its imposed pressures did
+  double fluid = 0;       // dissipated by its flow, and stored where it is compressible
 
   double lost() const { return friction + contact_damping + local_damping + lubrication + fluid; }
 };

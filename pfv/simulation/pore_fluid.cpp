@@ -23,6 +23,13 @@ bool turned_around(const PoreNetwork& network, double allowed) {
 
 } // namespace
 
+FluidScene at_time(FluidScene scene, double time) {
+  for (const Face face : all_faces)
+    if (const auto& changing = scene.in_time[index(face)])
+      scene.faces[index(face)] = Pressure{changing->at(time)};
+  return scene;
+}
+
 PoreFluid::PoreFluid(const FluidScene& scene, const Packing& packing, Clock& clock) : scene_(scene) {
   if (!scene.compressible)
     validate_level(scene.faces, scene.pressure_points, "or the fluid be compressible");
@@ -87,9 +94,12 @@ void PoreFluid::assemble_anew(Clock& clock) {
 
 void PoreFluid::set_known_force() {
   std::vector<double> known(network_.pores.size(), system_.level);
+  drives_ = false;
   for (std::size_t i = 0; i < known.size(); ++i)
-    if (const auto* pore = system_.known(i))
+    if (const auto* pore = system_.known(i)) {
       known[i] = pore->pressure;
+      drives_ = drives_ || (pore->source >= 0 && pore->pressure != 0);
+    }
   pressure_forces(flux_, known, known_force_);
 }
 
@@ -204,12 +214,21 @@ void PoreFluid::restore(const FluidState& state) {
   solves = state.counts.solves;
 }
 
-void PoreFluid::impose(Face face, double pressure) {
-  auto* open = std::get_if<Pressure>(&scene_.faces[index(face)]);
-  if (!open)
-    throw InputError(fmt::format("{} has no pressure that could be another one", face_names[index(face)]));
-  open->value = pressure;
-  pfv::impose(system_, face, pressure);
+void PoreFluid::impose_at(double time) {
+  bool others = false;
+  for (const Face face : all_faces) {
+    const auto& changing = scene_.in_time[index(face)];
+    if (!changing)
+      continue;
+    const Pressure now{changing->at(time)};
+    if (scene_.faces[index(face)] == FaceCondition(now))
+      continue;
+    scene_.faces[index(face)] = now;
+    impose(system_, face, now.value);
+    others = true;
+  }
+  if (!others)
+    return;
   renew_right_side(system_, network_);
   set_known_force();
 }
@@ -299,6 +318,24 @@ double PoreFluid::mean_pressure() const {
   const auto& volume = network_.pores.void_volume;
   return std::inner_product(volume.begin(), volume.end(), pressure_.begin(), 0.0) /
          std::reduce(volume.begin(), volume.end());
+}
+
+double PoreFluid::inflow_power(std::span<const Vec3> velocity) {
+  if (!drives_)
+    return 0;
+  const auto imposed = [&](std::size_t pore) {
+    const auto* known = system_.known(pore);
+    return known && known->source >= 0 ? known->pressure : 0;
+  };
+  double power = 0;
+  volume_rates(flux_, velocity, rate_);
+  for (std::size_t i = 0; i < network_.pores.size(); ++i)
+    power += imposed(i) * rate_[i];
+  for (std::size_t t = 0; t < network_.throats.size(); ++t) {
+    const auto [i, j] = network_.throats.pores[t];
+    power += system_.conductance[t] * (pressure_[i] - pressure_[j]) * (imposed(i) - imposed(j));
+  }
+  return power;
 }
 
 double PoreFluid::dissipation() const {

@@ -23,6 +23,7 @@ struct CompressibleFluid {
 struct FluidScene {
   Fluid fluid;
   FaceConditions faces{};
+  PressuresInTime in_time{}; // where there is one, the face is a Pressure
   std::vector<PressurePoint> pressure_points;
   FlowOptions options;
   std::optional<CompressibleFluid> compressible;
@@ -33,6 +34,9 @@ struct FluidScene {
   // Measured: 0.01 changes a settlement by 3e-4 at most, 0.03 by 1e-3.
   double refresh_drift = 0.01, rebuild_drift = 0.05;
 };
+
+/// The scene with the pressures its faces have at a time (s).
+FluidScene at_time(FluidScene scene, double time);
 
 /// What a fluid remembers of what has been, in pores that are triangulated anew.
 struct FluidState {
@@ -68,8 +72,8 @@ public:
   /// Throws InputError when the state is of other pores.
   void restore(const FluidState& state);
 
-  /// Imposes another pressure (Pa) on a face that has one. Throws InputError when it has none.
-  void impose(Face face, double pressure);
+  /// Imposes the pressures that faces have at a time (s).
+  void impose_at(double time);
 
   /// Forces (N) on all bodies. Explicit when `per_mass` is empty: A p = - B v with the velocities (m/s) as they are.
   /// Semi-implicit otherwise: p such that the velocities after the step, v + step F / mass, satisfy it, which is
@@ -88,6 +92,9 @@ public:
   const std::vector<double>& pressure() const { return pressure_; } // Pa, by pore
   /// Pa, over the fluid.
   double mean_pressure() const;
+  /// J/s, of the imposed pressures, each times the fluid that enters where it is, after the last solution and with
+  /// bodies that move at these velocities (m/s).
+  double inflow_power(std::span<const Vec3> velocity);
   /// J/s, dissipated by the flow between pores in the last solution.
   double dissipation() const;
 
@@ -114,6 +121,7 @@ private:
   FlowSystem system_;
   SolidFlux flux_;
   std::vector<Vec3> known_force_; // N, of the pressures that are known
+  bool drives_ = false;           // whether any pressure that is imposed is not zero
   Eigen::VectorXd storage_;       // m^3/Pa by unknown, of a compressible fluid
 
   bool matrix_is_set_ = false; // for this step:

@@ -76,7 +76,7 @@ Simulation::Simulation(const Scene& scene, GrainCycle start) : scene_(scene), cy
   scene_.packing.spheres.clear();
   require_fluid_to_repeat_with_grains(scene);
   if (scene.fluid) {
-    fluid_.emplace(*scene.fluid, cycle_.grains.packing, clock_);
+    fluid_.emplace(at_time(*scene.fluid, cycle_.time), cycle_.grains.packing, clock_);
     per_mass_ = per_mass(cycle_);
   }
   choose_step();
@@ -93,8 +93,10 @@ Simulation::Simulation(const Scene& scene, const Checkpoint& from) : Simulation(
 Checkpoint Simulation::checkpoint() {
   check_stability();
   cycle_.contacts.renew(cycle_.grains);
-  if (fluid_)
+  if (fluid_) {
+    fluid_->impose_at(cycle_.time);
     fluid_->renew(cycle_.grains.packing, clock_);
+  }
   Checkpoint saved{cycle_.grains,
                    cycle_.scene.cohesion,
                    cycle_.contacts.memory(),
@@ -107,12 +109,6 @@ Checkpoint Simulation::checkpoint() {
                    fluid_ ? std::optional(fluid_->state()) : std::nullopt};
   choose_step();
   return saved;
-}
-
-void Simulation::impose(Face face, double pressure) {
-  if (!fluid_)
-    throw InputError("a dry scene has no face at a pressure");
-  fluid_->impose(face, pressure);
 }
 
 void Simulation::choose_step() {
@@ -147,6 +143,7 @@ void Simulation::advance() {
 }
 
 void Simulation::advance_with_fluid() {
+  fluid_->impose_at(cycle_.time);
   fluid_->follow(cycle_.grains.packing, clock_);
   const auto start = cycle_.grains.velocity;
   const auto before = body_velocities();
@@ -163,12 +160,18 @@ void Simulation::advance_with_fluid() {
     grains.wall_velocity[face] += step_ * per_mass_[k] * fluid_force_[k][face / 2];
   }
   cycle_.damp(before, start);
-  const auto after = body_velocities();
-  for (std::size_t k = 0; k < after.size(); ++k)
-    cycle_.energy.fluid -= step_ * fluid_force_[k].dot(0.5 * (before[k] + after[k]));
+  auto mean = body_velocities();
+  double given = 0; // J/s, to the bodies
+  for (std::size_t k = 0; k < mean.size(); ++k) {
+    mean[k] = 0.5 * (before[k] + mean[k]);
+    given += fluid_force_[k].dot(mean[k]);
+  }
+  const double imposed = fluid_->inflow_power(mean);
+  cycle_.energy.fluid += step_ * (imposed - given);
+  cycle_.energy.loads += step_ * imposed;
   for (std::size_t face = 0; face < 6; ++face) {
     const std::size_t k = grains.size() + face;
-    cycle_.energy.loads += step_ * load_on_wall(cycle_, face, fluid_force_[k]).dot(0.5 * (before[k] + after[k]));
+    cycle_.energy.loads += step_ * load_on_wall(cycle_, face, fluid_force_[k]).dot(mean[k]);
   }
 }
 

@@ -70,9 +70,6 @@ public:
   /// Throws SolveError when the run has left stability, so that it does not take the place of a sound one.
   Checkpoint checkpoint();
 
-  /// Imposes another pressure (Pa) on a face that has one, from the next step on. Throws InputError when it has none.
-  void impose(Face face, double pressure);
-
   const StepLimits& limits() const { return limits_; }
   double step() const { return step_; }
   const GrainCycle& grains() const { return cycle_; }
