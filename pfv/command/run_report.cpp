@@ -147,6 +147,10 @@ std::string json_report(const Scene& scene, const Simulation& simulation) {
   json["time"] = cycle.time;
   json["box"] = {size.x(), size.y(), size.z()};
   json["contacts"] = contact_list(cycle.grains, cycle.contacts).size();
+  const Eigen::Matrix3d stress = cycle.stress();
+  auto& rows = json["stress"] = nlohmann::ordered_json::array();
+  for (const auto& row : stress.rowwise())
+    rows.push_back({row[0], row[1], row[2]});
   json["unbalanced_force"] = cycle.unbalanced_force();
   if (cycle.scene.cohesion)
     json["broken_bonds"] = cycle.broken_bonds;

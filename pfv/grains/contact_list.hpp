@@ -23,7 +23,7 @@ std::vector<Contact> contact_list(const Grains& grains, const Contacts& contacts
 /// J, in all springs.
 double elastic_energy(const Grains& grains, const Contacts& contacts);
 
-/// Mean stress of the grains (Pa, compression negative): sum over contacts of force times branch, over the volume of
+/// Part of the contacts in the mean stress of the grains (Pa, compression negative): sum over contacts of force times branch, over the volume of
 /// the box. Love (1927), Weber (1966).
 Eigen::Matrix3d contact_stress(const Grains& grains, const Contacts& contacts);
 

@@ -121,6 +121,13 @@ std::optional<double> GrainCycle::lubrication_limit() const {
   return 2 / films->largest_rate(grains, scene.walls, contacts.memory().pairs, contacts.memory().at_walls);
 }
 
+Eigen::Matrix3d GrainCycle::stress() const {
+  Eigen::Matrix3d sum = contact_stress(grains, contacts);
+  if (films)
+    sum += films->stress(grains, contacts.memory().pairs, contacts.memory().at_walls);
+  return sum;
+}
+
 double GrainCycle::unbalanced_force() const {
   const auto list = contact_list(grains, contacts);
   double sum = 0;

@@ -67,6 +67,8 @@ public:
   double contact_limit() const;
   /// Of the films alone; nothing without.
   std::optional<double> lubrication_limit() const;
+  /// Mean stress of the grains (Pa, compression negative): of their contacts, and of the films between them.
+  Eigen::Matrix3d stress() const;
   /// Mean resultant force on a grain over the mean contact force, of the last load.
   double unbalanced_force() const;
 

@@ -37,6 +37,7 @@ TEST(RunCommand, ReportsFilmsTheirLimitAndTheirEnergy) {
   const auto answer = nlohmann::json::parse(run(scene, "--json").output);
   EXPECT_GT(answer.at("films").at("count"), 0);
   EXPECT_GT(answer.at("energy").at("lubrication"), 0);
+  EXPECT_EQ(answer.at("stress").size(), 3u);
   EXPECT_GT(answer.at("lubrication_limit"), answer.at("step"));
   EXPECT_FALSE(answer.contains("pores"));
 }
