@@ -3,6 +3,7 @@
 #include "pfv/clock.hpp"
 #include "pfv/grains/contacts.hpp"
 #include "pfv/grains/films.hpp"
+#include "pfv/grains/growth.hpp"
 #include "pfv/grains/motion.hpp"
 #include "pfv/simulation/body_forces.hpp"
 
@@ -19,15 +20,17 @@ struct GrainScene {
   std::optional<Cohesion> cohesion;
   std::vector<BodyForce> forces; // gravity and others
   std::optional<Lubrication> lubrication;
+  std::optional<Growth> growth;
 
   bool operator==(const GrainScene&) const = default;
 };
 
-/// Where the energy went since the start (J). What loads and gravity put in is kinetic and elastic energy or one of the
-/// losses.
+/// Where the energy went since the start (J). What loads, gravity and growth put in is kinetic and elastic energy or
+/// one of the losses.
 struct EnergyBalance {
   double loads = 0;    // work of stresses on loaded walls, of walls that move at a velocity, of imposed pressures
   double gravity = 0;  // work of the body forces: of the weight, less that of the displaced fluid
+  double growth = 0;   // into the springs and the motion of grains whose radii grow
   double friction = 0; // lost in contacts that slip
   double contact_damping = 0;
   double local_damping = 0;
@@ -38,10 +41,10 @@ struct EnergyBalance {
 };
 
 /// Grains, contacts and motion of a scene, advanced by leapfrog: stages `contacts` and `motion`, with films
-/// `lubrication`, no others.
+/// `lubrication`, with growth `growth`, no others.
 ///
 /// A step is load (contacts, films and weight where grains are now), kick (velocities by these loads), whatever else
-/// changes velocities, and drift (positions).
+/// changes velocities, and drift (positions, and radii that grow).
 class GrainCycle {
 public:
   GrainCycle(const Packing& packing, const GrainScene& scene);
@@ -85,6 +88,7 @@ public:
 
 private:
   void set_films();
+  void grow_radii(double step, Clock& clock);
 };
 
 } // namespace pfv

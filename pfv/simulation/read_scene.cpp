@@ -172,7 +172,7 @@ template <std::size_t... i>
 void allow_tables(const toml::table& root, std::index_sequence<i...>) {
   allow_keys(root, "a scene",
              {"name", "packing", "grains", "contact", "walls", "local_damping", "cohesion",
-              std::variant_alternative_t<i, BodyForce>::name..., "lubrication", "fluid", "flow", "faces",
+              std::variant_alternative_t<i, BodyForce>::name..., "lubrication", "growth", "fluid", "flow", "faces",
               "pressure_points", "compressible_fluid", "pfv", "run"});
 }
 
@@ -204,6 +204,12 @@ GrainScene read_grains(const toml::table& root, const Packing& packing) {
   grains.forces = read_body_forces(root, each_body_force);
   if (const auto* table = part(root, "lubrication"))
     grains.lubrication = read_lubrication(*table, root);
+  if (const auto* table = part(root, "growth")) {
+    allow_keys(*table, "[growth]", {"rate", "stress"});
+    required(*table, "[growth]", "rate");
+    required(*table, "[growth]", "stress");
+    grains.growth = Growth{positive(*table, "rate", 0), positive(*table, "stress", 0)};
+  }
   return grains;
 }
 
@@ -306,6 +312,8 @@ SceneFile read_scene(const std::filesystem::path& file) {
   scene.notes = std::move(packing.notes);
   scene.grains = read_grains(root, scene.packing);
   scene.fluid = read_fluid_scene(file, root, scene.packing, periodic);
+  if (const auto* table = part(root, "growth"))
+    located(*table, [&] { require_growth_alone(scene); });
   if (const auto* table = part(root, "run"))
     read.duration = read_run(*table, scene);
   return read;

@@ -1,6 +1,7 @@
 #include "pfv/simulation/simulation.hpp"
 
 #include "pfv/problem/error.hpp"
+#include "pfv/problem/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -52,6 +53,19 @@ GrainCycle cycle_from(const Checkpoint& checkpoint, const Scene& scene) {
 
 } // namespace
 
+void require_growth_alone(const Scene& scene) {
+  if (!scene.grains.growth)
+    return;
+  if (scene.fluid || scene.grains.lubrication)
+    throw InputError("growth of radii is for dry grains: neither a flow nor lubrication may be beside it");
+  for (const Face face : all_faces)
+    if (const auto* loaded = std::get_if<LoadedWall>(&scene.grains.walls.motion[index(face)]))
+      throw InputError(
+          fmt::format("{} at a stress of \"{}\" (Pa) cannot be beside growth of radii, which has a stress of "
+                      "its own: walls must be fixed or move at a velocity",
+                      face_names[index(face)], shortest(loaded->stress)));
+}
+
 double StepLimits::joint() const {
   const auto rate_of = [](const std::optional<double>& limit) { return limit ? 2 / *limit : 0; };
   const double frequency = 2 / contact, rate = rate_of(viscous) + rate_of(lubrication);
@@ -75,6 +89,7 @@ Simulation::Simulation(const Scene& scene, GrainCycle start) : scene_(scene), cy
   cycle_.set_scene(scene.grains);
   scene_.packing.spheres.clear();
   require_fluid_to_repeat_with_grains(scene);
+  require_growth_alone(scene);
   if (scene.fluid) {
     fluid_.emplace(at_time(*scene.fluid, cycle_.time), cycle_.grains.packing, clock_);
     per_mass_ = per_mass(cycle_);

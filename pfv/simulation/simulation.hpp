@@ -36,6 +36,10 @@ struct Scene {
   std::vector<std::string> notes = {}; // of the reader of its packing
 };
 
+/// Throws InputError when radii are to grow in a fluid or films, which do not follow them, or between loaded walls,
+/// which have a stress of their own to keep.
+void require_growth_alone(const Scene& scene);
+
 /// The longest stable steps (s).
 struct StepLimits {
   double contact;                      // of contacts alone

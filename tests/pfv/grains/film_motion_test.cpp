@@ -128,8 +128,8 @@ TEST(FilmMotion, IsStableJustBelowItsLimitAndNotJustAbove) {
 TEST(FilmMotion, CountsInTheStressBesideContacts) {
   GrainCycle cycle = shaken(1);
   run(cycle, 0.1 * *cycle.lubrication_limit(), 100);
-  const auto& [pairs, at_walls, reference, reference_walls, drift] = cycle.contacts.memory();
-  const Eigen::Matrix3d of_films = cycle.films->stress(cycle.grains, pairs, at_walls);
+  const Contacts::Memory& near = cycle.contacts.memory();
+  const Eigen::Matrix3d of_films = cycle.films->stress(cycle.grains, near.pairs, near.at_walls);
   EXPECT_GT(of_films.norm(), 0);
   EXPECT_EQ(cycle.stress(), contact_stress(cycle.grains, cycle.contacts) + of_films);
 }

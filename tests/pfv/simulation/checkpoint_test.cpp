@@ -127,6 +127,16 @@ TEST(Checkpoint, ACompressibleFluidInAPeriodicBoxGoesOnBitForBit) {
   expect_to_go_on_alike(scene, 50);
 }
 
+TEST(Checkpoint, GrowingGrainsGoOnBitForBit) {
+  Scene scene = dry();
+  scene.grains.walls.motion = {};
+  scene.grains.growth = Growth{0.5, 5e4};
+  Simulation simulation(scene);
+  advance(simulation, 2400);
+  EXPECT_GT(simulation.grains().grains.grown, 1.05);
+  expect_to_go_on_alike(scene, 1200);
+}
+
 TEST(Checkpoint, APressureInTimeGoesOnBitForBit) {
   for (const TimeScheme& scheme : {TimeScheme(Explicit{}), TimeScheme(SemiImplicit{})}) {
     Scene scene = drained_box(60, 2, 20);
