@@ -130,7 +130,10 @@ void PoreFluid::set_matrix(std::span<const double> per_mass, double step) {
   if (matrix_is_set_ && step == of_step_ && implicit == !solid_.empty())
     return;
   solid_ = implicit ? solid_term(flux_, system_, per_mass, step) : GramTerm{};
-  solver_.set(with_storage(step, stored_), solid_);
+  const FlowMatrix& matrix = with_storage(step, stored_);
+  solver_.set(matrix, solid_);
+  if (scene_.compressible)
+    multiply(matrix, solid_, Eigen::VectorXd::Ones(matrix.rows()), of_block_, of_uniform_);
   solver_.renew(increments_);
   of_step_ = step;
   matrix_is_set_ = true;
@@ -178,6 +181,14 @@ void PoreFluid::keep_mean(double pressure) {
     return;
   solution_.array() += (pressure - mean_pressure()) * network_.porosity() * network_.box.volume() / moved;
   start_from_solution();
+}
+
+/// Moves all unknown pressures alike until what enters, is stored and is displaced balances over all pores together.
+/// The error that is allowed of pressures would else be fluid that a sealed box loses, step after step.
+void PoreFluid::balance_all_together() {
+  const double of_all = of_uniform_.sum();
+  if (of_all > 0)
+    solution_.array() += (right_side_.sum() - of_uniform_.dot(solution_)) / of_all;
 }
 
 /// Forgets all but the pressures (Pa, by pore).
@@ -272,6 +283,8 @@ const std::vector<Vec3>& PoreFluid::forces(std::span<const Vec3> velocity, std::
     set_matrix(per_mass, step);
     iterations += static_cast<std::size_t>(solver_.solve(right_side_, scene_.tolerance, solution_, &increments_));
     ++solves;
+    if (scene_.compressible)
+      balance_all_together();
   }
   const auto timing = clock.stage("forces");
   set_pore_pressures(system_, solution_, pressure_);

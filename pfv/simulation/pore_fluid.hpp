@@ -105,6 +105,7 @@ private:
   void start_in_steady_flow();
   void start_from(const std::vector<double>& pressure);
   void keep_mean(double pressure);
+  void balance_all_together();
   void start_from_solution();
   Packing in_box(const Packing& packing) const;
   void assemble_anew(Clock& clock);
@@ -123,6 +124,7 @@ private:
   std::vector<Vec3> known_force_; // N, of the pressures that are known
   bool drives_ = false;           // whether any pressure that is imposed is not zero
   Eigen::VectorXd storage_;       // m^3/Pa by unknown, of a compressible fluid
+  Eigen::VectorXd of_uniform_;    // m^3/(Pa s) by unknown, what a step does of a uniform pressure; likewise
 
   bool matrix_is_set_ = false; // for this step:
   double of_step_ = 0;         // s

@@ -34,7 +34,6 @@ Scene sealed(double ratio, const PeriodicAxes& periodic = {}) {
 Scene with_fixed_grains(Scene scene) {
   scene.grains.density = 1e15;
   scene.step = 1e-3;
-  scene.fluid->tolerance = 1e-10;
   scene.grains.walls.motion[index(Face::z_max)] = MovingWall{-per_step / *scene.step};
   return scene;
 }
@@ -58,8 +57,8 @@ TEST(SealedBox, PressureRisesByBulkModulusTimesTheVolumeTaken) {
       Simulation simulation(scene);
       EXPECT_EQ(simulation.fluid()->mean_pressure(), 0);
       const double hollow = void_volume(simulation);
-      advance(simulation, 50);
-      EXPECT_NEAR(simulation.fluid()->mean_pressure() / (bulk_modulus * 50 * per_step / hollow), 1, 1e-8);
+      advance(simulation, 300); // the last ones change the pressure by less than the solver's tolerance
+      EXPECT_NEAR(simulation.fluid()->mean_pressure() / (bulk_modulus * 300 * per_step / hollow), 1, 1e-8);
     }
 }
 
@@ -87,12 +86,13 @@ TEST(SealedBox, ComesToOnePressureWhenThePistonStops) {
   advance(simulation, 20);
   const double mean = simulation.fluid()->mean_pressure();
   scene.grains.walls.motion[index(Face::z_max)] = FixedWall{};
-  scene.step = 1e3;
+  scene.step = 1;
   Simulation stopped(scene, simulation.checkpoint());
   advance(stopped, 20);
   const auto [least, most] = std::ranges::minmax_element(stopped.fluid()->pressure());
-  EXPECT_NEAR(*least / mean, 1, 1e-6);
-  EXPECT_NEAR(*most / mean, 1, 1e-6);
+  EXPECT_NEAR(*least / mean, 1, 1e-5);
+  EXPECT_NEAR(*most / mean, 1, 1e-5);
+  EXPECT_NEAR(stopped.fluid()->mean_pressure() / mean, 1, 1e-9);
 }
 
 TEST(SealedBox, SharesALoadBetweenFluidAndSkeletonAndKeepsEnergy) {
