@@ -140,7 +140,7 @@ void advance(Simulation& simulation, const Duration& duration, const Interruptio
   }
   if (duration.unbalanced)
     throw SolveError(fmt::format("the grains did not come to rest in {} steps: unbalanced force {:.2g}, wanted {:.2g} "
-                                 "with the stress on every loaded wall",
+                                 "with every stress that the scene asks for",
                                  simulation.steps(), simulation.grains().unbalanced_force(), *duration.unbalanced));
 }
 

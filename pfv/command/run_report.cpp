@@ -7,8 +7,6 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include <numeric>
-
 namespace pfv {
 namespace {
 
@@ -42,13 +40,6 @@ std::string words(const StepLimits& limits) {
   return text;
 }
 
-double mean_pressure(const Simulation& simulation) {
-  const auto& fluid = *simulation.fluid();
-  const auto& volume = fluid.network().pores.void_volume;
-  const double sum = std::inner_product(volume.begin(), volume.end(), fluid.pressure().begin(), 0.0);
-  return sum / std::reduce(volume.begin(), volume.end());
-}
-
 /// Kinetic and elastic energy (J), half a step apart.
 std::pair<double, double> stored(const Simulation& simulation) {
   const GrainCycle& cycle = simulation.grains();
@@ -75,6 +66,9 @@ std::vector<std::string> effects_of(const Scene& scene) {
                                   grains.lubrication->viscosity, grains.lubrication->roughness,
                                   grains.lubrication->reach, fmt::join(resists, ", ")));
   }
+  if (grains.growth)
+    effects.push_back(
+        fmt::format("growth of radii, {:g} 1/s at first, to {:g} Pa", grains.growth->rate, grains.growth->stress));
   if (scene.fluid) {
     effects.push_back(
         fmt::format("pressure and viscous force, {:g} Pa s, {}", scene.fluid->fluid.viscosity, name_of(scene.scheme)));
@@ -115,16 +109,20 @@ std::string closing_report(const Simulation& simulation) {
   line("unbalanced", fmt::format("{:.3g}", cycle.unbalanced_force()));
   if (cycle.scene.cohesion)
     line("broken bonds", fmt::format("{}", cycle.broken_bonds));
+  if (cycle.scene.growth)
+    line("grown", fmt::format("radii by {:.6g}, to a mean stress of {:.6g} Pa", cycle.grains.grown,
+                              mean_stress(cycle.stress())));
   if (const auto& films = cycle.films)
     line("films", fmt::format("{}, {} of them at the roughness", films->count, films->at_roughness));
   if (const auto& fluid = simulation.fluid()) {
-    line("pressure", fmt::format("{:.6g} Pa, mean over the fluid", mean_pressure(simulation)));
+    line("pressure", fmt::format("{:.6g} Pa, mean over the fluid", fluid->mean_pressure()));
     line("pores renewed",
          fmt::format("{} times in place, {} times triangulated anew", fluid->refreshed, fluid->rebuilt));
     line("iterations", fmt::format("{:.2f} for a pressure field",
                                    static_cast<double>(fluid->iterations) / static_cast<double>(fluid->solves)));
   }
-  line("energy", fmt::format("{:.6g} J of loads, {:.6g} J of weight", energy.loads, energy.gravity));
+  line("energy", fmt::format("{:.6g} J of loads, {:.6g} J of weight{}", energy.loads, energy.gravity,
+                             cycle.scene.growth ? fmt::format(", {:.6g} J of growth", energy.growth) : ""));
   line("", fmt::format("{:.6g} J kinetic, {:.6g} J elastic", kinetic, elastic));
   line("", fmt::format("lost: {:.6g} J in friction, {:.6g} J in contact damping, {:.6g} J in local damping{}{}",
                        energy.friction, energy.contact_damping, energy.local_damping,
@@ -156,13 +154,19 @@ std::string json_report(const Scene& scene, const Simulation& simulation) {
   json["time"] = cycle.time;
   json["box"] = {size.x(), size.y(), size.z()};
   json["contacts"] = contact_list(cycle.grains, cycle.contacts).size();
+  const Eigen::Matrix3d stress = cycle.stress();
+  auto& rows = json["stress"] = nlohmann::ordered_json::array();
+  for (const auto& row : stress.rowwise())
+    rows.push_back({row[0], row[1], row[2]});
   json["unbalanced_force"] = cycle.unbalanced_force();
   if (cycle.scene.cohesion)
     json["broken_bonds"] = cycle.broken_bonds;
+  if (cycle.scene.growth)
+    json["grown"] = cycle.grains.grown;
   if (const auto& films = cycle.films)
     json["films"] = {{"count", films->count}, {"at_roughness", films->at_roughness}};
   if (const auto& fluid = simulation.fluid()) {
-    json["mean_pressure"] = mean_pressure(simulation);
+    json["mean_pressure"] = fluid->mean_pressure();
     json["pores"] = fluid->network().pores.size();
     json["refreshed"] = fluid->refreshed;
     json["rebuilt"] = fluid->rebuilt;
@@ -175,6 +179,8 @@ std::string json_report(const Scene& scene, const Simulation& simulation) {
                     {"friction", cycle.energy.friction},
                     {"contact_damping", cycle.energy.contact_damping},
                     {"local_damping", cycle.energy.local_damping}};
+  if (cycle.scene.growth)
+    json["energy"]["growth"] = cycle.energy.growth;
   if (cycle.films)
     json["energy"]["lubrication"] = cycle.energy.lubrication;
   if (simulation.fluid())
@@ -189,7 +195,7 @@ std::string json_report(const Scene& scene, const Simulation& simulation) {
 
 std::string history_header() {
   return "time,size_x,size_y,size_z,contacts,unbalanced_force,kinetic,elastic,loads,weight,friction,contact_damping,"
-         "local_damping,lubrication,fluid,mean_pressure\n";
+         "local_damping,growth,lubrication,fluid,mean_pressure\n";
 }
 
 std::string history_row(const Simulation& simulation) {
@@ -197,13 +203,14 @@ std::string history_row(const Simulation& simulation) {
   const auto [kinetic, elastic] = stored(simulation);
   const Vec3 size = cycle.grains.packing.box.size();
   const EnergyBalance& energy = cycle.energy;
-  return fmt::format("{},{},{},{},{},{:.4g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{},{},{}\n", cycle.time,
+  return fmt::format("{},{},{},{},{},{:.4g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{},{},{},{}\n", cycle.time,
                      size.x(), size.y(), size.z(), contact_list(cycle.grains, cycle.contacts).size(),
                      cycle.unbalanced_force(), kinetic, elastic, energy.loads, energy.gravity, energy.friction,
                      energy.contact_damping, energy.local_damping,
+                     cycle.scene.growth ? fmt::format("{:.9g}", energy.growth) : "",
                      cycle.films ? fmt::format("{:.9g}", energy.lubrication) : "",
                      simulation.fluid() ? fmt::format("{:.9g}", energy.fluid) : "",
-                     simulation.fluid() ? fmt::format("{:.9g}", mean_pressure(simulation)) : "");
+                     simulation.fluid() ? fmt::format("{:.9g}", simulation.fluid()->mean_pressure()) : "");
 }
 
 } // namespace pfv

@@ -40,15 +40,16 @@ PoreGroups connected_parts(const PoreNetwork& network, const FlowSystem& system,
   return groups;
 }
 
-/// Numbers the groups that some path of open throats joins to a known pressure, after holding one pore of every part
-/// that has none but is driven from box to box. The others are isolated.
-int number_unknowns(const PoreNetwork& network, const KnownPressures& known, PoreGroups& groups, FlowSystem& system) {
+/// Numbers the groups that some path of open throats joins to a known pressure, or to fluid that sets its own, after
+/// holding one pore of every part that has neither but is driven from box to box. The others are isolated.
+int number_unknowns(const PoreNetwork& network, const KnownPressures& known, Isolated isolated, PoreGroups& groups,
+                    FlowSystem& system) {
   constexpr int of_known = -1, of_isolated = -2;
   const int count = static_cast<int>(network.pores.size());
   PoreGroups parts = connected_parts(network, system, groups);
   std::vector<bool> has_level(count, false);
   for (int i = 0; i < count; ++i)
-    if (known.source[i] >= 0)
+    if (known.source[i] >= 0 || (isolated == Isolated::unknown && network.pores.void_volume[i] > 0))
       has_level[parts.find(i)] = true;
 
   int unknowns = 0;
@@ -106,7 +107,7 @@ void fill_right_side(const PoreNetwork& network, FlowSystem& system) {
 } // namespace
 
 FlowSystem assemble(const PoreNetwork& network, Conductances conductances, const FaceConditions& faces,
-                    std::span<const PressurePoint> points) {
+                    std::span<const PressurePoint> points, Isolated isolated) {
   FlowSystem system;
   system.faces = faces;
   system.points = points.size();
@@ -118,7 +119,7 @@ FlowSystem assemble(const PoreNetwork& network, Conductances conductances, const
   {
     const KnownPressures known = known_pressures(network, faces, points, system.rise, groups);
     system.level = known.mean;
-    unknowns = number_unknowns(network, known, groups, system);
+    unknowns = number_unknowns(network, known, isolated, groups, system);
   }
   system.matrix = matrix_of(unknowns, links(network, system));
   system.right_side.resize(unknowns);

@@ -55,9 +55,14 @@ struct FlowSystem {
   std::size_t unknowns() const { return static_cast<std::size_t>(right_side.size()); }
 };
 
+/// What the pressure is of pores without a way to a known one: the mean of the imposed ones; or, where they hold fluid,
+/// one more unknown, for a fluid whose storage on the diagonal sets its level. Without storage the matrix is then
+/// singular.
+enum class Isolated { at_mean, unknown };
+
 /// Linear in time, the matrix built in place. Throws SolveError when different pressures meet in one pore.
 FlowSystem assemble(const PoreNetwork& network, Conductances conductances, const FaceConditions& faces,
-                    std::span<const PressurePoint> points = {});
+                    std::span<const PressurePoint> points = {}, Isolated isolated = Isolated::at_mean);
 
 /// New conductances, and profiles where pores are now, into the same pattern without allocation; the pressure of Flux
 /// faces is zero again. A throat that turns around, as where four spheres change partners, conducts without bound for a

@@ -47,7 +47,8 @@ double of_lone_contact(const Grains& grains, const ContactLaw& law) {
 
 std::vector<Contact> contact_list(const Grains& grains, const Contacts& contacts) {
   std::vector<Contact> list;
-  const auto& [pairs, at_walls, reference, reference_walls, drift] = contacts.memory();
+  const auto& pairs = contacts.memory().pairs;
+  const auto& at_walls = contacts.memory().at_walls;
   for (std::size_t i = 0; i < grains.size(); ++i)
     for (int e = pairs.start[i]; e < pairs.start[i + 1]; ++e) {
       const Sphere &a = grains.sphere(i), &b = grains.sphere(pairs.other[e]);
@@ -84,10 +85,13 @@ double elastic_energy(const Grains& grains, const Contacts& contacts) {
 }
 
 Eigen::Matrix3d contact_stress(const Grains& grains, const Contacts& contacts) {
+  return contact_stress(grains, contact_list(grains, contacts), contacts.law());
+}
+
+Eigen::Matrix3d contact_stress(const Grains& grains, const std::vector<Contact>& contacts, const ContactLaw& law) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-  for (const Contact& contact : contact_list(grains, contacts)) {
-    const Vec3 force =
-        springs_of(contacts.law(), contact.radius, contact.overlap).force * contact.normal - contact.shear;
+  for (const Contact& contact : contacts) {
+    const Vec3 force = springs_of(law, contact.radius, contact.overlap).force * contact.normal - contact.shear;
     double branch = grains.sphere(contact.first).radius - contact.overlap;
     if (contact.second >= 0)
       branch += grains.sphere(contact.second).radius;

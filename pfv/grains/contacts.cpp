@@ -110,7 +110,7 @@ void add_wall_forces(const Law& law, double friction, const Grains& grains, doub
 
 Contacts::Contacts(const ContactLaw& law, double wall_friction, const std::optional<Cohesion>& cohesion,
                    const Grains& grains)
-    : law_(law), wall_friction_(wall_friction), cohesion_(cohesion), margin_(margin_of_radius * mean_radius(grains)) {
+    : law_(law), wall_friction_(wall_friction), cohesion_(cohesion) {
   renew(grains);
   if (!cohesion)
     return;
@@ -159,7 +159,7 @@ void Contacts::renew_if_moved(const Grains& grains, double step) {
   for (const double velocity : grains.wall_velocity)
     fastest = std::max(fastest, std::abs(velocity));
   memory_.drift += fastest * step;
-  if (memory_.drift <= 0.5 * margin_)
+  if (memory_.drift + memory_.grown <= 0.5 * margin_)
     return;
   double moved = 0;
   for (std::size_t i = 0; i < grains.size(); ++i)
@@ -168,18 +168,19 @@ void Contacts::renew_if_moved(const Grains& grains, double step) {
   const auto walls = wall_positions(grains.packing.box);
   for (std::size_t face = 0; face < walls.size(); ++face)
     memory_.drift = std::max(memory_.drift, std::abs(walls[face] - memory_.reference_walls[face]));
-  if (memory_.drift > 0.45 * margin_)
+  if (memory_.drift + memory_.grown > 0.45 * margin_)
     renew(grains);
 }
 
 void Contacts::renew(const Grains& grains) {
+  margin_ = margin_of_radius * mean_radius(grains);
   memory_.pairs = candidate_pairs(grains, margin_, memory_.pairs, reach_);
   memory_.at_walls = candidate_walls(grains, margin_, memory_.at_walls, reach_);
   memory_.reference.resize(grains.size());
   for (std::size_t i = 0; i < grains.size(); ++i)
     memory_.reference[i] = grains.sphere(i).centre;
   memory_.reference_walls = wall_positions(grains.packing.box);
-  memory_.drift = 0;
+  memory_.drift = memory_.grown = 0;
 }
 
 } // namespace pfv

@@ -33,6 +33,7 @@ public:
     std::vector<Vec3> reference;             // m, where grains were when the candidates were found
     std::array<double, 6> reference_walls{}; // m
     double drift = 0;                        // m, no grain or wall has moved farther since
+    double grown = 0;                        // m, no radius has grown by more since
   };
   const Memory& memory() const { return memory_; }
   void restore(Memory memory) { memory_ = std::move(memory); }
@@ -45,6 +46,8 @@ public:
     law_ = law;
     wall_friction_ = wall_friction;
   }
+  /// Tells them that no radius has grown by more than this (m) since the last step.
+  void note_growth(double most) { memory_.grown += most; }
   /// From now on candidates are all within this share of the smaller radius, for whatever else acts between them.
   void set_reach(double reach, const Grains& grains);
 
@@ -55,7 +58,7 @@ private:
   double wall_friction_;
   std::optional<Cohesion> cohesion_;
   double reach_ = 0;
-  double margin_; // m
+  double margin_ = 0; // m
   Memory memory_;
 };
 

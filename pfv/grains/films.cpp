@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pfv {
 
@@ -19,10 +20,12 @@ FilmResistance Films::resistance(double radius, double gap) const {
   return {acts_.normal * all.normal, acts_.shear * all.shear, acts_.roll * all.roll, acts_.twist * all.twist};
 }
 
-Films::Counts Films::add(const Grains& grains, std::span<const Velocity> velocity,
-                         const std::array<double, 6>& wall_velocity, const CandidatePairs& pairs,
-                         const CandidateWalls& at_walls, const Gaps& gaps, std::vector<Load>& loads,
-                         std::array<double, 6>& on_wall) const {
+/// Hands every film to `of_pair(i, j, film, arms, load on i)`, the arms being those of i and j to the middle of the gap
+/// (m), or to `at_wall(grain, face, film, arm, load on it)`.
+template <class OfPair, class AtWall>
+Films::Counts Films::visit(const Grains& grains, const Motion& motion, const CandidatePairs& pairs,
+                           const CandidateWalls& at_walls, const Gaps& gaps, const OfPair& of_pair,
+                           const AtWall& at_wall) const {
   Counts counts;
   const auto thickness = [&](double gap, double smaller) {
     ++counts.films;
@@ -32,8 +35,7 @@ Films::Counts Films::add(const Grains& grains, std::span<const Velocity> velocit
   FilmBetween film;
   for (std::size_t i = 0; i < grains.size(); ++i) {
     const Sphere a = grains.sphere(i);
-    const Velocity of_a = velocity[i];
-    Load on_a;
+    const Velocity of_a = motion.grains[i];
     for (int e = pairs.start[i]; e < pairs.start[i + 1]; ++e) {
       const int j = pairs.other[e];
       const Sphere& b = grains.sphere(j);
@@ -42,7 +44,7 @@ Films::Counts Films::add(const Grains& grains, std::span<const Velocity> velocit
       const double reach = both + gaps.reach * smaller;
       if (square >= reach * reach)
         continue;
-      const Velocity& of_b = velocity[j];
+      const Velocity& of_b = motion.grains[j];
       const double distance = std::sqrt(square), gap = distance - both;
       const double arm_a = a.radius + 0.5 * gap, arm_b = b.radius + 0.5 * gap;
       film.normal = between / distance;
@@ -50,15 +52,8 @@ Films::Counts Films::add(const Grains& grains, std::span<const Velocity> velocit
       film.spin = of_a.spin - of_b.spin;
       film.radius = 2 * a.radius * b.radius / both;
       film.skew = (a.radius - b.radius) / both;
-      const auto [force, couple] = film_load(resistance(film.radius, thickness(gap, smaller)), film);
-      const Vec3 turn = film.normal.cross(force);
-      on_a.force += force;
-      on_a.torque += arm_a * turn + couple;
-      loads[j].force -= force;
-      loads[j].torque += arm_b * turn - couple;
+      of_pair(i, j, film, std::pair(arm_a, arm_b), film_load(resistance(film.radius, thickness(gap, smaller)), film));
     }
-    loads[i].force += on_a.force;
-    loads[i].torque += on_a.torque;
   }
   const Box& box = grains.packing.box;
   film.skew = -1;
@@ -71,18 +66,49 @@ Films::Counts Films::add(const Grains& grains, std::span<const Velocity> velocit
       const double distance = (wall - sphere.centre[axis]) * film.normal[axis], gap = distance - sphere.radius;
       if (gap >= gaps.reach * sphere.radius)
         continue;
-      const Velocity& of = velocity[candidate.grain];
+      const Velocity& of = motion.grains[candidate.grain];
       film.sliding = -of.translation - (distance * of.spin).cross(film.normal);
-      film.sliding[axis] += wall_velocity[index(face)];
+      film.sliding[axis] += motion.walls[index(face)];
       film.spin = of.spin;
       film.radius = 2 * sphere.radius;
-      const auto [force, couple] = film_load(resistance(film.radius, thickness(gap, sphere.radius)), film);
-      loads[candidate.grain].force += force;
-      loads[candidate.grain].torque += distance * film.normal.cross(force) + couple;
-      on_wall[index(face)] -= force[axis];
+      at_wall(candidate.grain, face, film, distance,
+              film_load(resistance(film.radius, thickness(gap, sphere.radius)), film));
     }
   }
   return counts;
+}
+
+Films::Counts Films::add(const Grains& grains, std::span<const Velocity> velocity,
+                         const std::array<double, 6>& wall_velocity, const CandidatePairs& pairs,
+                         const CandidateWalls& at_walls, const Gaps& gaps, std::vector<Load>& loads,
+                         std::array<double, 6>& on_wall) const {
+  return visit(
+      grains, {velocity, wall_velocity}, pairs, at_walls, gaps,
+      [&](std::size_t i, int j, const FilmBetween& film, const std::pair<double, double>& arms, const FilmLoad& load) {
+        const Vec3 turn = film.normal.cross(load.force);
+        loads[i].force += load.force;
+        loads[i].torque += arms.first * turn + load.couple;
+        loads[j].force -= load.force;
+        loads[j].torque += arms.second * turn - load.couple;
+      },
+      [&](int grain, Face face, const FilmBetween& film, double arm, const FilmLoad& load) {
+        loads[grain].force += load.force;
+        loads[grain].torque += arm * film.normal.cross(load.force) + load.couple;
+        on_wall[index(face)] -= load.force[index(axis_of(face))];
+      });
+}
+
+Eigen::Matrix3d Films::stress(const Grains& grains, const CandidatePairs& pairs, const CandidateWalls& at_walls) const {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  visit(
+      grains, {grains.velocity, grains.wall_velocity}, pairs, at_walls, {lubrication_.reach, lubrication_.roughness},
+      [&](std::size_t, int, const FilmBetween& film, const std::pair<double, double>& arms, const FilmLoad& load) {
+        sum += (arms.first + arms.second) * film.normal * load.force.transpose();
+      },
+      [&](int, Face, const FilmBetween& film, double arm, const FilmLoad& load) {
+        sum += arm * film.normal * load.force.transpose();
+      });
+  return sum / grains.packing.box.volume();
 }
 
 void Films::add_forces(const Grains& grains, const CandidatePairs& pairs, const CandidateWalls& at_walls,

@@ -18,6 +18,10 @@ public:
   void add_forces(const Grains& grains, const CandidatePairs& pairs, const CandidateWalls& at_walls,
                   std::vector<Load>& loads, std::array<double, 6>& on_wall);
 
+  /// Part of the films in the mean stress of the grains (Pa, compression negative), at the velocities they have now:
+  /// sum of force times branch over the volume of the box, as contact_stress. Love (1927), Weber (1966).
+  Eigen::Matrix3d stress(const Grains& grains, const CandidatePairs& pairs, const CandidateWalls& at_walls) const;
+
   /// J that grains and walls lost to the forces of the last add_forces, now that these have acted for `step` seconds.
   double taken(const Grains& grains, double step) const;
 
@@ -37,6 +41,13 @@ private:
   struct Counts {
     std::size_t films = 0, at_roughness = 0;
   };
+  struct Motion {
+    std::span<const Velocity> grains;
+    const std::array<double, 6>& walls; // m/s
+  };
+  template <class OfPair, class AtWall>
+  Counts visit(const Grains& grains, const Motion& motion, const CandidatePairs& pairs, const CandidateWalls& at_walls,
+               const Gaps& gaps, const OfPair& of_pair, const AtWall& at_wall) const;
   FilmResistance resistance(double radius, double gap) const;
   double of_lone_film(const Grains& grains) const;
   Counts add(const Grains& grains, std::span<const Velocity> velocity, const std::array<double, 6>& wall_velocity,

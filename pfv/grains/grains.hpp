@@ -30,6 +30,8 @@ struct Grains {
   std::vector<double> mass;              // kg
   std::vector<int> number;               // of the sphere in the packing they came from
   std::array<double, 6> wall_velocity{}; // m/s, along the axis, by index(Face)
+  double grown = 1;                      // radii over those they began with
+  std::vector<double> first_radius;      // m, what these were; empty where none has grown
 
   std::size_t size() const { return mass.size(); }
   const Sphere& sphere(std::size_t i) const { return packing.spheres[i]; }

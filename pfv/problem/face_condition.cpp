@@ -22,14 +22,28 @@ PeriodicAxes axes_named(std::span<const std::string> names) {
   return axes;
 }
 
-double PressureProfile::at(double position) const {
-  const auto upper = std::ranges::upper_bound(points, position, {}, &Point::position);
+namespace {
+
+/// Linear between the points, constant beyond them.
+template <class Point>
+double between(const std::vector<Point>& points, double Point::*place, double at) {
+  const auto upper = std::ranges::upper_bound(points, at, {}, place);
   if (upper == points.begin())
     return points.front().pressure;
   if (upper == points.end())
     return points.back().pressure;
   const Point &a = upper[-1], &b = upper[0];
-  return a.pressure + (b.pressure - a.pressure) * ((position - a.position) / (b.position - a.position));
+  return a.pressure + (b.pressure - a.pressure) * ((at - a.*place) / (b.*place - a.*place));
+}
+
+} // namespace
+
+double PressureProfile::at(double position) const {
+  return between(points, &Point::position, position);
+}
+
+double PressureInTime::at(double time) const {
+  return between(points, &Point::time, time);
 }
 
 PeriodicAxes periodic_axes(const FaceConditions& faces) {

@@ -4,6 +4,7 @@
 #include "pfv/problem/packing.hpp"
 
 #include <array>
+#include <optional>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -64,6 +65,25 @@ struct Periodic {
 
 using FaceCondition = std::variant<SlipWall, Pressure, PressureProfile, Flux, Periodic>;
 using FaceConditions = std::array<FaceCondition, 6>; // by index(Face)
+
+/// What the pressure of a Pressure face is in a run: linear between the points, constant before and after them. A case
+/// is steady and has none.
+struct PressureInTime {
+  struct Point {
+    double time;     // s
+    double pressure; // Pa
+
+    bool operator==(const Point&) const = default;
+  };
+
+  std::vector<Point> points; // at least one, times increasing
+
+  /// Pa, at a time (s).
+  double at(double time) const;
+  bool operator==(const PressureInTime&) const = default;
+};
+
+using PressuresInTime = std::array<std::optional<PressureInTime>, 6>; // by index(Face)
 
 /// The axes whose lower face is Periodic.
 PeriodicAxes periodic_axes(const FaceConditions& faces);

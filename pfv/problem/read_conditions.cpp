@@ -25,15 +25,32 @@ Tangential as_tangential(const toml::node& node) {
   fail_at(node, fmt::format("tangential \"{}\" must be one of {}", text, fmt::join(tangential_names, ", ")));
 }
 
-PressureProfile read_profile(const toml::table& table, const toml::array& points, std::string_view face) {
-  PressureProfile profile{as_axis(required(table, face, "along"), "along"), {}};
-  for (const toml::node& point : points) {
+constexpr std::string_view in_time = "time"; // what a pressure is along, instead of an axis
+
+bool is_in_time(const toml::node& face) {
+  const auto* table = face.as_table();
+  return table && (*table)["along"].value<std::string_view>() == in_time && (*table)["pressure"].is_array();
+}
+
+/// Of a pressure along an axis or in time: `place` reads like "position (m)".
+template <class Point>
+std::vector<Point> read_points(const toml::array& list, std::string_view place) {
+  std::vector<Point> points;
+  for (const toml::node& point : list) {
     const auto* pair = point.as_array();
     if (!pair || pair->size() != 2)
-      fail_at(point, fmt::format("pressure \"{}\" must be two numbers [position (m), pressure (Pa)]", quote(point)));
-    profile.points.push_back({as_number((*pair)[0], "position"), as_number((*pair)[1], "pressure")});
+      fail_at(point, fmt::format("pressure \"{}\" must be two numbers [{}, pressure (Pa)]", quote(point), place));
+    points.push_back({as_number((*pair)[0], place), as_number((*pair)[1], "pressure")});
   }
-  return profile;
+  return points;
+}
+
+PressureInTime read_in_time(const toml::node& node, Face face) {
+  const toml::table& table = *node.as_table();
+  allow_keys(table, fmt::format("{} with a pressure in time", face_names[index(face)]), {"pressure", "along"});
+  PressureInTime pressure{read_points<PressureInTime::Point>(*table.get("pressure")->as_array(), "time (s)")};
+  located(node, [&] { validate(pressure, face); });
+  return pressure;
 }
 
 FaceCondition read_face(const toml::node& node, std::string_view name) {
@@ -57,7 +74,8 @@ FaceCondition read_face(const toml::node& node, std::string_view name) {
   const toml::node* pressure = table->get("pressure");
   if (const auto* points = pressure ? pressure->as_array() : nullptr) {
     allow_keys(*table, fmt::format("{} with a pressure profile", name), {"pressure", "along"});
-    return read_profile(*table, *points, name);
+    return PressureProfile{as_axis(required(*table, name, "along"), "along"),
+                           read_points<PressureProfile::Point>(*points, "position (m)")};
   }
   allow_keys(*table, name, {"pressure", "tangential", "flux", "periodic"});
   Pressure open{as_number(required(*table, name, "pressure"), "pressure")};
@@ -94,14 +112,28 @@ FlowAlong read_flow(const toml::table& table) {
   return flow;
 }
 
-FaceConditions read_faces(const toml::table& table) {
+FacesInTime read_faces_in_time(const toml::table& table) {
   allow_keys(table, "[faces]", {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"});
-  FaceConditions faces{};
+  FacesInTime read;
+  for (const Face face : all_faces) {
+    const toml::node* node = table.get(face_names[index(face)]);
+    if (!node)
+      continue;
+    auto& changing = read.pressures[index(face)];
+    if (is_in_time(*node))
+      changing = read_in_time(*node, face);
+    read.faces[index(face)] = changing ? Pressure{changing->at(0)} : read_face(*node, face_names[index(face)]);
+  }
+  located(table, [&] { validate(read.faces); });
+  return read;
+}
+
+FaceConditions read_faces(const toml::table& table) {
   for (const Face face : all_faces)
-    if (const toml::node* node = table.get(face_names[index(face)]))
-      faces[index(face)] = read_face(*node, face_names[index(face)]);
-  located(table, [&] { validate(faces); });
-  return faces;
+    if (const toml::node* node = table.get(face_names[index(face)]); node && is_in_time(*node))
+      fail_at(*node, fmt::format("{} pressure along \"{}\" is for scenes of pfv run: the flow of a case is steady",
+                                 face_names[index(face)], in_time));
+  return read_faces_in_time(table).faces;
 }
 
 std::vector<PressurePoint> read_pressure_points(const toml::node& node, const Box& box) {

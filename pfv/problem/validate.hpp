@@ -23,10 +23,13 @@ void validate(const Packing& packing, const PackingOrigin& origin, const Periodi
 void validate(const Sphere& sphere, const std::string& place); // whatever its box
 void validate(const Fluid& fluid);
 void validate(const FaceConditions& faces);
+void validate(const PressureInTime& pressure, Face face);
 void validate(const PressurePoint& point, const Box& box);
 void validate(const Buoyancy& buoyancy);
 
 /// The pressure is known somewhere, or driven along a periodic axis: otherwise the flow has no cause, or no answer.
-void validate_level(const FaceConditions& faces, std::span<const PressurePoint> points);
+/// `or_else` ends the message with what else would do.
+void validate_level(const FaceConditions& faces, std::span<const PressurePoint> points,
+                    std::string_view or_else = "or a periodic axis a gradient");
 
 } // namespace pfv

@@ -22,6 +22,27 @@ std::string quoted(const FaceCondition& condition) {
   return fmt::format("\"{}\"", std::visit(Text{}, condition));
 }
 
+void validate_finite(std::string_view face, std::string_view what, double value, std::string_view unit) {
+  if (!std::isfinite(value))
+    throw InputError(fmt::format("{} {} \"{}\" must be a finite number ({})", face, what, shortest(value), unit));
+}
+
+/// Pressures at places, which `what` calls them.
+template <class Point>
+void validate_points(std::string_view face, const std::vector<Point>& points, double Point::*place,
+                     std::string_view what, std::string_view unit) {
+  if (points.empty())
+    throw InputError(fmt::format("{} pressure \"[]\" must be a number or at least one [{}, pressure]", face, what));
+  for (const Point& point : points) {
+    validate_finite(face, what, point.*place, unit);
+    validate_finite(face, "pressure", point.pressure, "Pa");
+  }
+  const auto turn = std::ranges::adjacent_find(points, std::ranges::greater_equal{}, place);
+  if (turn != points.end())
+    throw InputError(fmt::format("{} {} \"{}\" must be beyond the one before it, {} ({})", face, what,
+                                 shortest(turn[1].*place), shortest(turn[0].*place), unit));
+}
+
 /// One condition by itself.
 struct ValidateCondition {
   Face face;
@@ -29,8 +50,7 @@ struct ValidateCondition {
   std::string_view name() const { return face_names[index(face)]; }
 
   void finite(std::string_view what, double value, std::string_view unit) const {
-    if (!std::isfinite(value))
-      throw InputError(fmt::format("{} {} \"{}\" must be a finite number ({})", name(), what, shortest(value), unit));
+    validate_finite(name(), what, value, unit);
   }
 
   void operator()(const SlipWall&) const {}
@@ -41,17 +61,7 @@ struct ValidateCondition {
     if (profile.along == axis_of(face))
       throw InputError(fmt::format("{} pressure along \"{}\" must be along an axis of the face, not the one across it",
                                    name(), axis_names[index(profile.along)]));
-    if (profile.points.empty())
-      throw InputError(fmt::format("{} pressure \"[]\" must be a number or at least one [position, pressure]", name()));
-    for (const auto& [position, pressure] : profile.points) {
-      finite("position", position, "m");
-      finite("pressure", pressure, "Pa");
-    }
-    const auto turn =
-        std::ranges::adjacent_find(profile.points, std::ranges::greater_equal{}, &PressureProfile::Point::position);
-    if (turn != profile.points.end())
-      throw InputError(fmt::format("{} position \"{}\" must be beyond the one before it, {} (m)", name(),
-                                   shortest(turn[1].position), shortest(turn[0].position)));
+    validate_points(name(), profile.points, &PressureProfile::Point::position, "position", "m");
   }
 };
 
@@ -94,7 +104,11 @@ void validate(const FaceConditions& faces) {
       validate_beside(faces, axis);
 }
 
-void validate_level(const FaceConditions& faces, std::span<const PressurePoint> points) {
+void validate(const PressureInTime& pressure, Face face) {
+  validate_points(face_names[index(face)], pressure.points, &PressureInTime::Point::time, "time", "s");
+}
+
+void validate_level(const FaceConditions& faces, std::span<const PressurePoint> points, std::string_view or_else) {
   const auto known = [](const FaceCondition& face) {
     return std::holds_alternative<Pressure>(face) || std::holds_alternative<PressureProfile>(face);
   };
@@ -104,8 +118,8 @@ void validate_level(const FaceConditions& faces, std::span<const PressurePoint> 
   for (const FaceCondition& face : faces)
     conditions.push_back(quoted(face));
   throw InputError(fmt::format("faces {} leave the pressure without a level; at least one face or point must have a "
-                               "pressure, or a periodic axis a gradient",
-                               fmt::join(conditions, ", ")));
+                               "pressure, {}",
+                               fmt::join(conditions, ", "), or_else));
 }
 
 } // namespace pfv

@@ -19,10 +19,10 @@ void require_same_grains(const Checkpoint& checkpoint, const Scene& scene) {
     differ("grains", grains.size(), spheres.size());
   for (std::size_t i = 0; i < grains.size(); ++i) {
     const Sphere& sphere = spheres[grains.number[i]];
-    if (grains.sphere(i).radius != sphere.radius)
-      differ(fmt::format("radius of sphere {}", grains.number[i]), shortest(grains.sphere(i).radius),
-             shortest(sphere.radius));
-    if (const double mass = scene.grains.density * volume(sphere); grains.mass[i] != mass)
+    const double radius = grains.first_radius.empty() ? grains.sphere(i).radius : grains.first_radius[i];
+    if (radius != sphere.radius)
+      differ(fmt::format("radius of sphere {}", grains.number[i]), shortest(radius), shortest(sphere.radius));
+    if (const double mass = scene.grains.density * volume(grains.sphere(i)); grains.mass[i] != mass)
       differ(fmt::format("mass of sphere {}", grains.number[i]), shortest(grains.mass[i]), shortest(mass));
   }
   for (int axis = 0; axis < 3; ++axis)

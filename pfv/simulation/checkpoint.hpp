@@ -27,9 +27,9 @@ struct Checkpoint {
   std::optional<FluidState> fluid;
 };
 
-/// Throws InputError unless the grains are those of the scene: as many, of the same radii and density, periodic along
-/// the same axes, and cemented in both or in neither. Anything else a scene names may differ from the one that was
-/// saved.
+/// Throws InputError unless the grains are those of the scene: as many, of the same radii (before they grew) and
+/// density, periodic along the same axes, and cemented in both or in neither. Anything else a scene names may differ
+/// from the one that was saved.
 void require_same_grains(const Checkpoint& checkpoint, const Scene& scene);
 
 /// Writes a file that is whole or, if that fails, not there: what had its name before stays until then.

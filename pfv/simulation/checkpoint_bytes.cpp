@@ -21,6 +21,8 @@ void visit_fields(Archive& field, Of& of) {
   field("mass", of.grains.mass);
   field("number", of.grains.number);
   field("wall velocity", of.grains.wall_velocity);
+  field("grown", of.grains.grown);
+  field("first radius", of.grains.first_radius);
   if (field.names("cohesion", of.cohesion))
     field("strength", *of.cohesion);
   field("pair start", of.contacts.pairs.start);
@@ -136,6 +138,7 @@ void require_consistent(const Checkpoint& of) {
   const auto& pairs = of.contacts.pairs;
   Reader::require(of.grains.velocity.size() == grains, "velocity");
   Reader::require(of.grains.mass.size() == grains && of.loads.size() == grains, "mass");
+  Reader::require(of.grains.first_radius.empty() || of.grains.first_radius.size() == grains, "first radius");
   Reader::require(of.grains.number.size() == grains && std::ranges::all_of(of.grains.number, is_grain), "number");
   Reader::require(pairs.start.size() == grains + 1 && std::ranges::is_sorted(pairs.start) && pairs.start[0] == 0 &&
                       pairs.start.back() == static_cast<int>(pairs.other.size()),

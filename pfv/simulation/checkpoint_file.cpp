@@ -17,7 +17,7 @@ namespace pfv {
 namespace {
 
 constexpr std::string_view beginning = "pfv checkpoint ";
-constexpr int version = 1;
+constexpr int version = 2;
 
 std::string digest_of(std::string_view bytes) {
   const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());

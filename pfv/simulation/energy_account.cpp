@@ -29,7 +29,7 @@ double EnergyAccount::elastic() const {
 
 double EnergyAccount::accounted() const {
   const EnergyBalance& energy = simulation_.grains().energy;
-  return (kinetic() + elastic() + energy.lost()) / energy.loads;
+  return (kinetic() + elastic() + energy.lost()) / (energy.loads + energy.growth);
 }
 
 } // namespace pfv

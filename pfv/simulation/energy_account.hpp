@@ -15,8 +15,8 @@ public:
 
   double kinetic() const; // J, of grains and loaded walls
   double elastic() const; // J, in the springs
-  /// Kinetic and elastic energy and all that was lost, over the work of the loads: 1 when nothing is missing, of a
-  /// scene without weight that began at rest and without springs.
+  /// Kinetic and elastic energy and all that was lost, over the work of loads and growth: 1 when nothing is missing, of
+  /// a scene without weight that began at rest and without springs.
   double accounted() const;
 
 private:

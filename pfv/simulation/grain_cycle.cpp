@@ -48,7 +48,7 @@ void GrainCycle::load(double step, Clock& clock) {
     energy.friction += losses.friction;
     energy.contact_damping += losses.damping;
     broken_bonds += losses.broken_bonds;
-    if (changes(scene.forces))
+    if (changes(scene.forces) || scene.growth)
       weight = sum_of(scene.forces, grains, time);
     for (std::size_t i = 0; i < weight.size(); ++i)
       loads[i].force += weight[i];
@@ -103,6 +103,19 @@ void GrainCycle::drift(double step, Clock& clock) {
   time += step;
   for (std::size_t i = 0; i < weight.size(); ++i)
     energy.gravity += weight[i].dot(grains.velocity[i].translation) * step;
+  if (scene.growth)
+    grow_radii(step, clock);
+}
+
+void GrainCycle::grow_radii(double step, Clock& clock) {
+  const auto timing = clock.stage("growth");
+  const auto list = contact_list(grains, contacts);
+  const double stress = mean_stress(contact_stress(grains, list, contacts.law()));
+  // Never smaller than they began.
+  const double factor = std::max(std::exp(step * growth_rate(*scene.growth, stress)), 1 / grains.grown);
+  energy.growth += growth_work(grains, list, contacts.law(), factor);
+  pfv::grow(grains, factor, scene.density);
+  contacts.note_growth(std::abs(factor - 1) * std::ranges::max(grains.packing.spheres, {}, &Sphere::radius).radius);
 }
 
 void GrainCycle::advance(double step, Clock& clock) {
@@ -119,6 +132,13 @@ std::optional<double> GrainCycle::lubrication_limit() const {
   if (!films)
     return std::nullopt;
   return 2 / films->largest_rate(grains, scene.walls, contacts.memory().pairs, contacts.memory().at_walls);
+}
+
+Eigen::Matrix3d GrainCycle::stress() const {
+  Eigen::Matrix3d sum = contact_stress(grains, contacts);
+  if (films)
+    sum += films->stress(grains, contacts.memory().pairs, contacts.memory().at_walls);
+  return sum;
 }
 
 double GrainCycle::unbalanced_force() const {

@@ -3,6 +3,7 @@
 #include "pfv/clock.hpp"
 #include "pfv/grains/contacts.hpp"
 #include "pfv/grains/films.hpp"
+#include "pfv/grains/growth.hpp"
 #include "pfv/grains/motion.hpp"
 #include "pfv/simulation/body_forces.hpp"
 
@@ -19,29 +20,31 @@ struct GrainScene {
   std::optional<Cohesion> cohesion;
   std::vector<BodyForce> forces; // gravity and others
   std::optional<Lubrication> lubrication;
+  std::optional<Growth> growth;
 
   bool operator==(const GrainScene&) const = default;
 };
 
-/// Where the energy went since the start (J). What loads and gravity put in is kinetic and elastic energy or one of the
-/// losses.
+/// Where the energy went since the start (J). What loads, gravity and growth put in is kinetic and elastic energy or
+/// one of the losses.
 struct EnergyBalance {
-  double loads = 0;    // work of the stresses on loaded walls and of walls that move at a velocity
+  double loads = 0;    // work of stresses on loaded walls, of walls that move at a velocity, of imposed pressures
   double gravity = 0;  // work of the body forces: of the weight, less that of the displaced fluid
+  double growth = 0;   // into the springs and the motion of grains whose radii grow
   double friction = 0; // lost in contacts that slip
   double contact_damping = 0;
   double local_damping = 0;
   double lubrication = 0; // dissipated in the films between grains
-  double fluid = 0;       // taken by the fluid, with what its imposed pressures did
+  double fluid = 0;       // dissipated by its flow, and stored where it is compressible
 
   double lost() const { return friction + contact_damping + local_damping + lubrication + fluid; }
 };
 
 /// Grains, contacts and motion of a scene, advanced by leapfrog: stages `contacts` and `motion`, with films
-/// `lubrication`, no others.
+/// `lubrication`, with growth `growth`, no others.
 ///
 /// A step is load (contacts, films and weight where grains are now), kick (velocities by these loads), whatever else
-/// changes velocities, and drift (positions).
+/// changes velocities, and drift (positions, and radii that grow).
 class GrainCycle {
 public:
   GrainCycle(const Packing& packing, const GrainScene& scene);
@@ -67,6 +70,8 @@ public:
   double contact_limit() const;
   /// Of the films alone; nothing without.
   std::optional<double> lubrication_limit() const;
+  /// Mean stress of the grains (Pa, compression negative): of their contacts, and of the films between them.
+  Eigen::Matrix3d stress() const;
   /// Mean resultant force on a grain over the mean contact force, of the last load.
   double unbalanced_force() const;
 
@@ -83,6 +88,7 @@ public:
 
 private:
   void set_films();
+  void grow_radii(double step, Clock& clock);
 };
 
 } // namespace pfv

@@ -22,8 +22,16 @@ bool turned_around(const PoreNetwork& network, double allowed) {
 
 } // namespace
 
+FluidScene at_time(FluidScene scene, double time) {
+  for (const Face face : all_faces)
+    if (const auto& changing = scene.in_time[index(face)])
+      scene.faces[index(face)] = Pressure{changing->at(time)};
+  return scene;
+}
+
 PoreFluid::PoreFluid(const FluidScene& scene, const Packing& packing, Clock& clock) : scene_(scene) {
-  validate_level(scene.faces, scene.pressure_points);
+  if (!scene.compressible)
+    validate_level(scene.faces, scene.pressure_points, "or the fluid be compressible");
   for (const auto& condition : scene.faces) {
     if (std::holds_alternative<Flux>(condition))
       throw InputError("a face of a box whose grains move must be slip, periodic or at a pressure, not at a flux");
@@ -34,12 +42,21 @@ PoreFluid::PoreFluid(const FluidScene& scene, const Packing& packing, Clock& clo
   for (const Sphere& sphere : packing.spheres)
     mean_radius_ += sphere.radius / static_cast<double>(packing.spheres.size());
   build(packing, clock);
-  solution_.setZero(static_cast<Eigen::Index>(system_.unknowns()));
-  const GramTerm none;
-  PressureSolver at_rest;
-  at_rest.set(system_.matrix, none);
-  at_rest.solve(system_.right_side, scene_.tolerance, solution_);
-  set_pore_pressures(system_, solution_, pressure_);
+  start_in_steady_flow();
+}
+
+void PoreFluid::start_in_steady_flow() {
+  const auto solve = [&](const FlowSystem& system) {
+    const GramTerm none;
+    PressureSolver steady;
+    steady.set(system.matrix, none);
+    steady.solve(system.right_side, scene_.tolerance, solution_.setZero(static_cast<Eigen::Index>(system.unknowns())));
+    set_pore_pressures(system, solution_, pressure_);
+  };
+  if (!scene_.compressible)
+    return solve(system_);
+  solve(pfv::assemble(network_, throats_, scene_.faces, scene_.pressure_points));
+  start_from(std::vector(pressure_));
 }
 
 void PoreFluid::build(const Packing& packing, Clock& clock) {
@@ -67,7 +84,8 @@ Packing PoreFluid::in_box(const Packing& packing) const {
 
 void PoreFluid::assemble_anew(Clock& clock) {
   const auto timing = clock.stage("assemble");
-  system_ = assemble(network_, throats_, scene_.faces, scene_.pressure_points);
+  system_ = assemble(network_, throats_, scene_.faces, scene_.pressure_points,
+                     scene_.compressible ? Isolated::unknown : Isolated::at_mean);
   set_flux();
   increments_.clear();
   mode_.resize(0);
@@ -75,9 +93,12 @@ void PoreFluid::assemble_anew(Clock& clock) {
 
 void PoreFluid::set_known_force() {
   std::vector<double> known(network_.pores.size(), system_.level);
+  drives_ = false;
   for (std::size_t i = 0; i < known.size(); ++i)
-    if (const auto* pore = system_.known(i))
+    if (const auto* pore = system_.known(i)) {
       known[i] = pore->pressure;
+      drives_ = drives_ || (pore->source >= 0 && pore->pressure != 0);
+    }
   pressure_forces(flux_, known, known_force_);
 }
 
@@ -93,17 +114,25 @@ void PoreFluid::set_flux() {
   matrix_is_set_ = false;
 }
 
+/// The matrix of the flow, and on its diagonal what a compressible fluid stores in a step (s); `room` is for the two.
+const FlowMatrix& PoreFluid::with_storage(double step, FlowMatrix& room) const {
+  if (!scene_.compressible)
+    return system_.matrix;
+  room = system_.matrix;
+  room.diagonal() += storage_ / step;
+  return room;
+}
+
 /// What a step adds to the matrix of the flow: the storage of the fluid, and the motion of the solid within it.
 void PoreFluid::set_matrix(std::span<const double> per_mass, double step) {
   const bool implicit = !per_mass.empty();
   if (matrix_is_set_ && step == of_step_ && implicit == !solid_.empty())
     return;
-  if (scene_.compressible) {
-    stored_ = system_.matrix;
-    stored_.diagonal() += storage_ / step;
-  }
   solid_ = implicit ? solid_term(flux_, system_, per_mass, step) : GramTerm{};
-  solver_.set(matrix(), solid_);
+  const FlowMatrix& matrix = with_storage(step, stored_);
+  solver_.set(matrix, solid_);
+  if (scene_.compressible)
+    multiply(matrix, solid_, Eigen::VectorXd::Ones(matrix.rows()), of_block_, of_uniform_);
   solver_.renew(increments_);
   of_step_ = step;
   matrix_is_set_ = true;
@@ -137,8 +166,28 @@ void PoreFluid::follow(const Packing& packing, Clock& clock) {
 
 void PoreFluid::renew(const Packing& packing, Clock& clock) {
   const auto bodies = flux_.body;
+  const double mean = mean_pressure();
   build(packing, clock);
   start_from(carried_over(bodies, pressure_, flux_.body, flux_.bodies));
+  if (scene_.compressible)
+    keep_mean(mean);
+}
+
+/// No fluid is lost between other pores: moves all unknown pressures alike until the mean is this (Pa).
+void PoreFluid::keep_mean(double pressure) {
+  const double moved = scene_.compressible->bulk_modulus * storage_.sum();
+  if (!(moved > 0))
+    return;
+  solution_.array() += (pressure - mean_pressure()) * network_.porosity() * network_.box.volume() / moved;
+  start_from_solution();
+}
+
+/// Moves all unknown pressures alike until what enters, is stored and is displaced balances over all pores together.
+/// The error that is allowed of pressures would else be fluid that a sealed box loses, step after step.
+void PoreFluid::balance_all_together() {
+  const double of_all = of_uniform_.sum();
+  if (of_all > 0)
+    solution_.array() += (right_side_.sum() - of_uniform_.dot(solution_)) / of_all;
 }
 
 /// Forgets all but the pressures (Pa, by pore).
@@ -175,12 +224,21 @@ void PoreFluid::restore(const FluidState& state) {
   solves = state.counts.solves;
 }
 
-void PoreFluid::impose(Face face, double pressure) {
-  auto* open = std::get_if<Pressure>(&scene_.faces[index(face)]);
-  if (!open)
-    throw InputError(fmt::format("{} has no pressure that could be another one", face_names[index(face)]));
-  open->value = pressure;
-  pfv::impose(system_, face, pressure);
+void PoreFluid::impose_at(double time) {
+  bool others = false;
+  for (const Face face : all_faces) {
+    const auto& changing = scene_.in_time[index(face)];
+    if (!changing)
+      continue;
+    const Pressure now{changing->at(time)};
+    if (scene_.faces[index(face)] == FaceCondition(now))
+      continue;
+    scene_.faces[index(face)] = now;
+    impose(system_, face, now.value);
+    others = true;
+  }
+  if (!others)
+    return;
   renew_right_side(system_, network_);
   set_known_force();
 }
@@ -224,54 +282,13 @@ const std::vector<Vec3>& PoreFluid::forces(std::span<const Vec3> velocity, std::
     set_matrix(per_mass, step);
     iterations += static_cast<std::size_t>(solver_.solve(right_side_, scene_.tolerance, solution_, &increments_));
     ++solves;
+    if (scene_.compressible)
+      balance_all_together();
   }
   const auto timing = clock.stage("forces");
   set_pore_pressures(system_, solution_, pressure_);
   pressure_forces(flux_, pressure_, force_);
   return force_;
-}
-
-double PoreFluid::largest_rate(std::span<const double> per_mass, Clock& clock) {
-  const auto timing = clock.stage("stable step");
-  constexpr int most_steps = 100;
-  constexpr double settled = 1e-3, tolerance = 1e-4;
-  const auto size = static_cast<Eigen::Index>(system_.unknowns());
-  if (size == 0)
-    return 0;
-  const GramTerm solid = solid_term(flux_, system_, per_mass, 1), none;
-  PressureSolver solver;
-  solver.set(system_.matrix, none);
-  if (mode_.size() != size) {
-    mode_.resize(size);
-    for (Eigen::Index i = 0; i < size; ++i)
-      mode_[i] = std::sin(1.0 + 2.0 * static_cast<double>(i));
-  }
-  double rate = 0;
-  Eigen::VectorXd resisted, pushed;
-  for (int n = 0; n < most_steps; ++n) {
-    // x -> A^-1 B M^-1 B^T x, whose Rayleigh quotient in the norm of A is x.B M^-1 B^T x / x.A x.
-    const double power = multiply(system_.matrix, none, mode_, of_block_, resisted);
-    const double next = multiply(system_.matrix, solid, mode_, of_block_, pushed) / power - 1;
-    pushed -= resisted;
-    mode_ *= next;
-    solver.solve(pushed, tolerance, mode_);
-    mode_ /= mode_.norm();
-    const bool done = std::abs(next - rate) < settled * next && n > 10;
-    rate = next;
-    if (done)
-      break;
-  }
-  return rate;
-}
-
-double PoreFluid::dissipation() const {
-  double power = 0;
-  for (std::size_t t = 0; t < network_.throats.size(); ++t) {
-    const auto [i, j] = network_.throats.pores[t];
-    const double drop = pressure_[i] - pressure_[j];
-    power += system_.conductance[t] * drop * drop;
-  }
-  return power;
 }
 
 } // namespace pfv

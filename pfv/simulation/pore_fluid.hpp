@@ -23,6 +23,7 @@ struct CompressibleFluid {
 struct FluidScene {
   Fluid fluid;
   FaceConditions faces{};
+  PressuresInTime in_time{}; // where there is one, the face is a Pressure
   std::vector<PressurePoint> pressure_points;
   FlowOptions options;
   std::optional<CompressibleFluid> compressible;
@@ -33,6 +34,9 @@ struct FluidScene {
   // Measured: 0.01 changes a settlement by 3e-4 at most, 0.03 by 1e-3.
   double refresh_drift = 0.01, rebuild_drift = 0.05;
 };
+
+/// The scene with the pressures its faces have at a time (s).
+FluidScene at_time(FluidScene scene, double time);
 
 /// What a fluid remembers of what has been, in pores that are triangulated anew.
 struct FluidState {
@@ -52,6 +56,8 @@ struct FluidState {
 /// around; pressures are carried over.
 class PoreFluid {
 public:
+  /// In a steady flow; a fluid that no imposed pressure reaches is at the mean of these, or at zero without any. Throws
+  /// InputError when nothing sets the level of the pressures: neither a face or point nor storage.
   PoreFluid(const FluidScene& scene, const Packing& packing, Clock& clock);
   PoreFluid(const PoreFluid&) = delete; // the solver points to the matrices
   PoreFluid& operator=(const PoreFluid&) = delete;
@@ -66,8 +72,8 @@ public:
   /// Throws InputError when the state is of other pores.
   void restore(const FluidState& state);
 
-  /// Imposes another pressure (Pa) on a face that has one. Throws InputError when it has none.
-  void impose(Face face, double pressure);
+  /// Imposes the pressures that faces have at a time (s).
+  void impose_at(double time);
 
   /// Forces (N) on all bodies. Explicit when `per_mass` is empty: A p = - B v with the velocities (m/s) as they are.
   /// Semi-implicit otherwise: p such that the velocities after the step, v + step F / mass, satisfy it, which is
@@ -75,13 +81,20 @@ public:
   const std::vector<Vec3>& forces(std::span<const Vec3> velocity, std::span<const double> per_mass, double step,
                                   Clock& clock);
 
-  /// Largest eigenvalue (1/s) of M^-1 B A^-1 B^T: an explicit step longer than 2 / it is unstable.
-  double largest_rate(std::span<const double> per_mass, Clock& clock);
+  /// Largest eigenvalue (1/s) of M^-1 B A^-1 B^T: an explicit step longer than 2 / it is unstable. What a compressible
+  /// fluid stores, S by pore, stiffens the shorter the step: with A + 2 S / step in the place of A the same holds of
+  /// all steps up to `longest` (s).
+  double largest_rate(std::span<const double> per_mass, double longest, Clock& clock);
 
   const PoreNetwork& network() const { return network_; }
   const FlowSystem& system() const { return system_; }
   const SolidFlux& flux() const { return flux_; }
   const std::vector<double>& pressure() const { return pressure_; } // Pa, by pore
+  /// Pa, over the fluid.
+  double mean_pressure() const;
+  /// J/s, of the imposed pressures, each times the fluid that enters where it is, after the last solution and with
+  /// bodies that move at these velocities (m/s).
+  double inflow_power(std::span<const Vec3> velocity);
   /// J/s, dissipated by the flow between pores in the last solution.
   double dissipation() const;
 
@@ -89,15 +102,18 @@ public:
 
 private:
   void build(const Packing& packing, Clock& clock);
+  void start_in_steady_flow();
   void start_from(const std::vector<double>& pressure);
+  void keep_mean(double pressure);
+  void balance_all_together();
   void start_from_solution();
   Packing in_box(const Packing& packing) const;
   void assemble_anew(Clock& clock);
   bool refresh_system(Clock& clock);
   void set_flux();
   void set_known_force();
+  const FlowMatrix& with_storage(double step, FlowMatrix& room) const;
   void set_matrix(std::span<const double> per_mass, double step);
-  const FlowMatrix& matrix() const { return scene_.compressible ? stored_ : system_.matrix; }
   void add_to_unknowns(const std::vector<double>& of_pores, Eigen::VectorXd& sum) const;
 
   FluidScene scene_;
@@ -106,7 +122,9 @@ private:
   FlowSystem system_;
   SolidFlux flux_;
   std::vector<Vec3> known_force_; // N, of the pressures that are known
+  bool drives_ = false;           // whether any pressure that is imposed is not zero
   Eigen::VectorXd storage_;       // m^3/Pa by unknown, of a compressible fluid
+  Eigen::VectorXd of_uniform_;    // m^3/(Pa s) by unknown, what a step does of a uniform pressure; likewise
 
   bool matrix_is_set_ = false; // for this step:
   double of_step_ = 0;         // s

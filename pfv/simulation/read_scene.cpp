@@ -172,7 +172,7 @@ template <std::size_t... i>
 void allow_tables(const toml::table& root, std::index_sequence<i...>) {
   allow_keys(root, "a scene",
              {"name", "packing", "grains", "contact", "walls", "local_damping", "cohesion",
-              std::variant_alternative_t<i, BodyForce>::name..., "lubrication", "fluid", "flow", "faces",
+              std::variant_alternative_t<i, BodyForce>::name..., "lubrication", "growth", "fluid", "flow", "faces",
               "pressure_points", "compressible_fluid", "pfv", "run"});
 }
 
@@ -204,31 +204,37 @@ GrainScene read_grains(const toml::table& root, const Packing& packing) {
   grains.forces = read_body_forces(root, each_body_force);
   if (const auto* table = part(root, "lubrication"))
     grains.lubrication = read_lubrication(*table, root);
+  if (const auto* table = part(root, "growth")) {
+    allow_keys(*table, "[growth]", {"rate", "stress"});
+    required(*table, "[growth]", "rate");
+    required(*table, "[growth]", "stress");
+    grains.growth = Growth{positive(*table, "rate", 0), positive(*table, "stress", 0)};
+  }
   return grains;
 }
 
 /// The faces of the fluid, periodic where the grains have no walls.
-FaceConditions read_fluid_faces(const toml::table* flow, const toml::table* faces, const Box& box,
-                                const PeriodicAxes& periodic) {
-  const toml::table& named = flow ? *flow : *faces;
-  const FaceInput input = flow ? read_flow(*flow) : FaceInput(read_faces(*faces));
-  if (const auto* along = std::get_if<FlowAlong>(&input)) {
-    if (along->periodic != PeriodicAxes{} && along->periodic != periodic)
-      fail_at(*named.get("periodic"), "periodic of [flow] must be that of [walls], or left out");
-    return flow_along(along->axis, along->pressure_drop, periodic, box, along->tangential);
+FacesInTime read_fluid_faces(const toml::table* flow, const toml::table* faces, const Box& box,
+                             const PeriodicAxes& periodic) {
+  if (flow) {
+    const FlowAlong along = read_flow(*flow);
+    if (along.periodic != PeriodicAxes{} && along.periodic != periodic)
+      fail_at(*flow->get("periodic"), "periodic of [flow] must be that of [walls], or left out");
+    return {flow_along(along.axis, along.pressure_drop, periodic, box, along.tangential), {}};
   }
-  FaceConditions conditions = std::get<FaceConditions>(input);
+  FacesInTime read = read_faces_in_time(*faces);
   for (const Face face : all_faces) {
-    const toml::node* node = named.get(face_names[index(face)]);
+    const toml::node* node = faces->get(face_names[index(face)]);
+    FaceCondition& condition = read.faces[index(face)];
     const bool repeats = periodic[index(axis_of(face))];
-    if (node && std::holds_alternative<Periodic>(conditions[index(face)]) != repeats)
+    if (node && std::holds_alternative<Periodic>(condition) != repeats)
       fail_at(*node, fmt::format("{} \"{}\" {}", face_names[index(face)], quote(*node),
                                  repeats ? "must be \"periodic\" or left out, as its axis is periodic in [walls]"
                                          : "needs periodic in [walls] to name its axis"));
     if (repeats && !node)
-      conditions[index(face)] = Periodic{};
+      condition = Periodic{};
   }
-  return conditions;
+  return read;
 }
 
 std::optional<FluidScene> read_fluid_scene(const std::filesystem::path& file, const toml::table& root,
@@ -244,7 +250,9 @@ std::optional<FluidScene> read_fluid_scene(const std::filesystem::path& file, co
   }
   FluidScene fluid;
   fluid.fluid = read_fluid(root);
-  fluid.faces = read_fluid_faces(flow, faces, packing.box, periodic);
+  FacesInTime read = read_fluid_faces(flow, faces, packing.box, periodic);
+  fluid.faces = std::move(read.faces);
+  fluid.in_time = std::move(read.pressures);
   if (const toml::node* points = root.get("pressure_points"))
     fluid.pressure_points = read_pressure_points(*points, packing.box);
   if (const auto* table = part(root, "pfv"))
@@ -304,6 +312,8 @@ SceneFile read_scene(const std::filesystem::path& file) {
   scene.notes = std::move(packing.notes);
   scene.grains = read_grains(root, scene.packing);
   scene.fluid = read_fluid_scene(file, root, scene.packing, periodic);
+  if (const auto* table = part(root, "growth"))
+    located(*table, [&] { require_growth_alone(scene); });
   if (const auto* table = part(root, "run"))
     read.duration = read_run(*table, scene);
   return read;

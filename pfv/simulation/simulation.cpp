@@ -1,6 +1,7 @@
 #include "pfv/simulation/simulation.hpp"
 
 #include "pfv/problem/error.hpp"
+#include "pfv/problem/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,13 +24,13 @@ std::vector<double> per_mass(const GrainCycle& cycle) {
   return inverse;
 }
 
-/// N, of the stress on a loaded wall.
-Vec3 load_on_wall(const GrainCycle& cycle, std::size_t face) {
-  const auto* loaded = std::get_if<LoadedWall>(&cycle.scene.walls.motion[face]);
-  if (!loaded)
-    return Vec3::Zero();
+/// N, of the stress on a loaded wall, or of who moves one against the fluid.
+Vec3 load_on_wall(const GrainCycle& cycle, std::size_t face, const Vec3& of_fluid) {
+  const WallMotion& motion = cycle.scene.walls.motion[face];
   const auto wall = static_cast<Face>(face);
-  return -loaded->stress * area_of(cycle.grains.packing.box, wall) * outward_normal(wall);
+  if (const auto* loaded = std::get_if<LoadedWall>(&motion))
+    return -loaded->stress * area_of(cycle.grains.packing.box, wall) * outward_normal(wall);
+  return std::holds_alternative<MovingWall>(motion) ? Vec3(-of_fluid) : Vec3::Zero();
 }
 
 void require_fluid_to_repeat_with_grains(const Scene& scene) {
@@ -51,6 +52,19 @@ GrainCycle cycle_from(const Checkpoint& checkpoint, const Scene& scene) {
 }
 
 } // namespace
+
+void require_growth_alone(const Scene& scene) {
+  if (!scene.grains.growth)
+    return;
+  if (scene.fluid || scene.grains.lubrication)
+    throw InputError("growth of radii is for dry grains: neither a flow nor lubrication may be beside it");
+  for (const Face face : all_faces)
+    if (const auto* loaded = std::get_if<LoadedWall>(&scene.grains.walls.motion[index(face)]))
+      throw InputError(
+          fmt::format("{} at a stress of \"{}\" (Pa) cannot be beside growth of radii, which has a stress of "
+                      "its own: walls must be fixed or move at a velocity",
+                      face_names[index(face)], shortest(loaded->stress)));
+}
 
 double StepLimits::joint() const {
   const auto rate_of = [](const std::optional<double>& limit) { return limit ? 2 / *limit : 0; };
@@ -75,8 +89,9 @@ Simulation::Simulation(const Scene& scene, GrainCycle start) : scene_(scene), cy
   cycle_.set_scene(scene.grains);
   scene_.packing.spheres.clear();
   require_fluid_to_repeat_with_grains(scene);
+  require_growth_alone(scene);
   if (scene.fluid) {
-    fluid_.emplace(*scene.fluid, cycle_.grains.packing, clock_);
+    fluid_.emplace(at_time(*scene.fluid, cycle_.time), cycle_.grains.packing, clock_);
     per_mass_ = per_mass(cycle_);
   }
   choose_step();
@@ -93,8 +108,10 @@ Simulation::Simulation(const Scene& scene, const Checkpoint& from) : Simulation(
 Checkpoint Simulation::checkpoint() {
   check_stability();
   cycle_.contacts.renew(cycle_.grains);
-  if (fluid_)
+  if (fluid_) {
+    fluid_->impose_at(cycle_.time);
     fluid_->renew(cycle_.grains.packing, clock_);
+  }
   Checkpoint saved{cycle_.grains,
                    cycle_.scene.cohesion,
                    cycle_.contacts.memory(),
@@ -109,16 +126,10 @@ Checkpoint Simulation::checkpoint() {
   return saved;
 }
 
-void Simulation::impose(Face face, double pressure) {
-  if (!fluid_)
-    throw InputError("a dry scene has no face at a pressure");
-  fluid_->impose(face, pressure);
-}
-
 void Simulation::choose_step() {
   limits_ = limits_of(cycle_);
   if (fluid_ && std::holds_alternative<Explicit>(scene_.scheme))
-    limits_.viscous = 2 / fluid_->largest_rate(per_mass_, clock_);
+    limits_.viscous = 2 / fluid_->largest_rate(per_mass_, scene_.step.value_or(limits_.chosen()), clock_);
   step_ = scene_.step.value_or(limits_.chosen());
 }
 
@@ -147,6 +158,7 @@ void Simulation::advance() {
 }
 
 void Simulation::advance_with_fluid() {
+  fluid_->impose_at(cycle_.time);
   fluid_->follow(cycle_.grains.packing, clock_);
   const auto start = cycle_.grains.velocity;
   const auto before = body_velocities();
@@ -163,12 +175,19 @@ void Simulation::advance_with_fluid() {
     grains.wall_velocity[face] += step_ * per_mass_[k] * fluid_force_[k][face / 2];
   }
   cycle_.damp(before, start);
-  const auto after = body_velocities();
-  for (std::size_t k = 0; k < after.size(); ++k)
-    cycle_.energy.fluid -= step_ * fluid_force_[k].dot(0.5 * (before[k] + after[k]));
-  for (std::size_t face = 0; face < 6; ++face)
-    cycle_.energy.loads +=
-        step_ * load_on_wall(cycle_, face).dot(0.5 * (before[grains.size() + face] + after[grains.size() + face]));
+  auto mean = body_velocities();
+  double given = 0; // J/s, to the bodies
+  for (std::size_t k = 0; k < mean.size(); ++k) {
+    mean[k] = 0.5 * (before[k] + mean[k]);
+    given += fluid_force_[k].dot(mean[k]);
+  }
+  const double imposed = fluid_->inflow_power(mean);
+  cycle_.energy.fluid += step_ * (imposed - given);
+  cycle_.energy.loads += step_ * imposed;
+  for (std::size_t face = 0; face < 6; ++face) {
+    const std::size_t k = grains.size() + face;
+    cycle_.energy.loads += step_ * load_on_wall(cycle_, face, fluid_force_[k]).dot(mean[k]);
+  }
 }
 
 void Simulation::check_stability() {

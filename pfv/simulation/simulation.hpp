@@ -36,6 +36,10 @@ struct Scene {
   std::vector<std::string> notes = {}; // of the reader of its packing
 };
 
+/// Throws InputError when radii are to grow in a fluid or films, which do not follow them, or between loaded walls,
+/// which have a stress of their own to keep.
+void require_growth_alone(const Scene& scene);
+
 /// The longest stable steps (s).
 struct StepLimits {
   double contact;                      // of contacts alone
@@ -69,9 +73,6 @@ public:
   /// What is needed to go on from here. Pores, candidates and step are found anew, as they are by who goes on from it.
   /// Throws SolveError when the run has left stability, so that it does not take the place of a sound one.
   Checkpoint checkpoint();
-
-  /// Imposes another pressure (Pa) on a face that has one, from the next step on. Throws InputError when it has none.
-  void impose(Face face, double pressure);
 
   const StepLimits& limits() const { return limits_; }
   double step() const { return step_; }

@@ -83,19 +83,19 @@ Uplift lift_up(const Bed& bed, const Say& say) {
   scene.grains = bed_grains(bed, 0);
   scene.fluid = bed_fluid(bed, Pressure{0});
   scene.scheme = SemiImplicit{};
+  constexpr double duration = 2; // s: long against the tenths in which the pressures of the bed even out
+  const double began = rest.time;
+  scene.fluid->in_time[index(Face::z_min)] = {{{began, 0}, {began + duration, highest * balance}}};
   Simulation simulation(scene, std::move(rest));
   const Middle before = middle_of(*simulation.fluid(), result.height);
   result.porosity = before.hollow / before.all;
   result.critical = (1 - result.porosity) * (bed.density / bed.fluid_density - 1);
 
-  constexpr double duration = 2; // s: long against the tenths in which the pressures of the bed even out
   constexpr int looks = 200;
-  const double began = simulation.grains().time;
   for (int n = 1; n <= looks; ++n) {
     double done = 0;
     do {
       done = (simulation.grains().time - began) / duration;
-      simulation.impose(Face::z_min, highest * done * balance);
       simulation.advance();
       if (simulation.steps() % 50 == 0)
         say("raising the pressure", done);

@@ -37,8 +37,24 @@ TEST(RunCommand, ReportsFilmsTheirLimitAndTheirEnergy) {
   const auto answer = nlohmann::json::parse(run(scene, "--json").output);
   EXPECT_GT(answer.at("films").at("count"), 0);
   EXPECT_GT(answer.at("energy").at("lubrication"), 0);
+  EXPECT_EQ(answer.at("stress").size(), 3u);
   EXPECT_GT(answer.at("lubrication_limit"), answer.at("step"));
   EXPECT_FALSE(answer.contains("pores"));
+}
+
+TEST(RunCommand, GrowsGrainsToAStressAndSavesThem) {
+  const TemporaryFile saved("grown.checkpoint", "");
+  const std::string grains = "[packing]\ngenerator = \"random\"\nspheres = 50\nsolid_fraction = 0.4\n[contact]\n"
+                             "young = 1e6\n[local_damping]\nshare = 0.3\n";
+  const auto report = run(grains + "[growth]\nrate = 0.05\nstress = 1e3\n[run]\nsteps = 20000\nunbalanced = 1e-2\n",
+                          "--save " + saved.path().string());
+  ASSERT_EQ(report.exit_code, 0) << report.error;
+  for (const char* part : {"growth of radii, 0.05 1/s at first, to 1000 Pa\n", "grown         radii by 1.",
+                           "J of growth\n", "  growth        "})
+    EXPECT_NE(report.output.find(part), std::string::npos) << part << "\n" << report.output;
+  const auto goes_on =
+      run(grains + "[run]\nuntil = 1e9\nsteps = 20000\n", "--steps 1 --json --restart " + saved.path().string());
+  EXPECT_EQ(goes_on.exit_code, 0) << goes_on.error;
 }
 
 TEST(RunCommand, RefusesFilmsOfAnUnnamedFluidInOneLine) {

@@ -53,6 +53,20 @@ TEST(FlowSystem, NeedsAPressure) {
   EXPECT_THROW(solved(problem), InputError);
 }
 
+TEST(FlowSystem, OfASealedBoxHasNoUnknownButThoseThatStorageSets) {
+  Clock clock;
+  const PoreNetwork network = build_pore_network(packing_from("g200.txt"), {}, clock);
+  const Conductances throats = conductances(network, HydraulicRadius{}, MirrorWalls{}, 1);
+  const FlowSystem at_mean = assemble(network, throats, {});
+  EXPECT_EQ(at_mean.unknowns(), 0u);
+  EXPECT_EQ(at_mean.isolated_pores, network.pores.size());
+  const FlowSystem unknown = assemble(network, throats, {}, {}, Isolated::unknown);
+  EXPECT_EQ(unknown.unknowns(), network.pores.size());
+  EXPECT_EQ(unknown.isolated_pores, 0u);
+  const Eigen::VectorXd one = Eigen::VectorXd::Ones(unknown.matrix.rows());
+  EXPECT_LT((unknown.matrix * one).norm(), 1e-12 * unknown.matrix.norm()); // a uniform pressure moves nothing
+}
+
 TEST(FlowSystem, WorksWithOneFaceAtAPressure) {
   Case problem = flow_through(packing_from("bcc9jit.txt"));
   problem.faces[index(Face::z_min)] = SlipWall{};

@@ -125,4 +125,13 @@ TEST(FilmMotion, IsStableJustBelowItsLimitAndNotJustAbove) {
     }
 }
 
+TEST(FilmMotion, CountsInTheStressBesideContacts) {
+  GrainCycle cycle = shaken(1);
+  run(cycle, 0.1 * *cycle.lubrication_limit(), 100);
+  const Contacts::Memory& near = cycle.contacts.memory();
+  const Eigen::Matrix3d of_films = cycle.films->stress(cycle.grains, near.pairs, near.at_walls);
+  EXPECT_GT(of_films.norm(), 0);
+  EXPECT_EQ(cycle.stress(), contact_stress(cycle.grains, cycle.contacts) + of_films);
+}
+
 } // namespace

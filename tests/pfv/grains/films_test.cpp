@@ -134,6 +134,44 @@ TEST(Films, OnlyTakeEnergyWhateverTheyResist) {
   EXPECT_NEAR(all.taken(suspension.grains, 2) / (-2 * sum), 1, 1e-12);
 }
 
+TEST(Films, HaveTheStressOfTheirForcesTimesBranches) {
+  // Two grains that approach along x and slide along y, far from walls: Love and Weber's sum has one film.
+  Suspension pair({{Vec3::Constant(-9), Vec3::Constant(9)}, {{Vec3(-1.05, 0, 0), 1}, {Vec3(1.05, 0, 0), 1}}});
+  const std::size_t left = pair.grains.sphere(0).centre.x() < 0 ? 0 : 1;
+  for (std::size_t i = 0; i < 2; ++i)
+    pair.grains.velocity[i] = {(i == left ? 1 : -1) * Vec3(0.5, 1, 0), Vec3::Zero()};
+  const Films films = pair.films({3});
+  const Vec3& on_left = pair.loads[left].force;
+  Eigen::Matrix3d expected = 2.1 * Vec3::UnitX() * on_left.transpose() / std::pow(18, 3);
+  const Eigen::Matrix3d stress = films.stress(pair.grains, pair.pairs, pair.at_walls);
+  EXPECT_LT((stress - expected).norm(), 1e-12 * expected.norm());
+  EXPECT_NEAR(stress(0, 0) * std::pow(18, 3) / (-2.1 * 1.5 * std::numbers::pi * 3 / 0.1), 1, 1e-12); // squeezed
+  EXPECT_LT(stress(0, 1), 0);
+}
+
+TEST(Films, HaveTheStressThatWallsFeelWhereForcesBalance) {
+  // A row of grains between two walls that close on it evenly: each grain is in balance, and the row carries what the
+  // walls feel over their area.
+  const double gap = 0.05, size = 3 * 2.0 + 4 * gap;
+  Packing row{{Vec3(0, -9, -9), Vec3(size, 9, 9)}, {}};
+  for (int n = 0; n < 3; ++n)
+    row.spheres.push_back({Vec3(1 + gap + n * (2 + gap), 0, 0), 1});
+  Suspension suspension(row);
+  // Films at walls are four times as stiff as those between equal grains: a = 2 r there, a = r here.
+  const double at_wall = 0.1, inside = 4 * at_wall;
+  for (std::size_t i = 0; i < 3; ++i)
+    suspension.grains.velocity[i] = {
+        Vec3(-(suspension.grains.sphere(i).centre.x() - 0.5 * size) / (2 + gap) * inside, 0, 0), Vec3::Zero()};
+  suspension.grains.wall_velocity = {inside + at_wall, -inside - at_wall};
+  const Films films = suspension.films({3, 0.01, 0.5, {FilmMotion::normal}});
+  const double carried = suspension.on_wall[1];
+  EXPECT_GT(carried, 0);
+  for (const Load& load : suspension.loads)
+    EXPECT_LT(load.force.norm(), 1e-12 * carried);
+  const Eigen::Matrix3d stress = films.stress(suspension.grains, suspension.pairs, suspension.at_walls);
+  EXPECT_NEAR(stress(0, 0) / (-carried / (18 * 18)), 1, 1e-12);
+}
+
 TEST(Films, ReachAsFarAsSaidAndAreNoThinnerThanTheRoughness) {
   const auto squeeze = [](double gap) { // of two grains of radius 1 and 2, approaching at 1 m/s
     const Packing packing{{Vec3::Constant(-99), Vec3::Constant(99)}, {{Vec3::Zero(), 1}, {Vec3(3 + gap, 0, 0), 2}}};

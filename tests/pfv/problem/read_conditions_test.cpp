@@ -84,6 +84,8 @@ TEST(ReadConditionsRefuses, BadValuesAtTheirLine) {
   EXPECT_EQ(face("{ periodic = \"x\" }"), "c.toml:4: periodic \"x\" must be a number");
   EXPECT_EQ(face("{ pressure = [[0, 1]] }"), "c.toml:4: z_max has no \"along\"; it is needed");
   EXPECT_EQ(face("{ pressure = [[0, 1]], along = \"w\" }"), "c.toml:4: axis \"w\" must be one of x, y, z");
+  EXPECT_EQ(face("{ pressure = [[0, 1]], along = \"time\" }"),
+            "c.toml:4: z_max pressure along \"time\" is for scenes of pfv run: the flow of a case is steady");
   EXPECT_EQ(face("{ pressure = [1], along = \"x\" }"),
             "c.toml:4: pressure \"1\" must be two numbers [position (m), pressure (Pa)]");
   EXPECT_EQ(face("{ pressure = [[1, 0], [0, 1]], along = \"x\" }"),

@@ -84,7 +84,7 @@ TEST(CheckpointFile, IsRefusedUnlessItIsOne) {
   }
   std::string newer = whole;
   newer[std::string("pfv checkpoint ").size()] = '9';
-  expect_refusal(newer, "version \"9\"; this pfv reads version 1");
+  expect_refusal(newer, "version \"9\"; this pfv reads version 2");
   EXPECT_NE(message_of<InputError>([&] { read_checkpoint(folder.path() / "missing"); }).find("missing"),
             std::string::npos);
 }

@@ -25,6 +25,7 @@ TEST(ReadScene, NamesNothingThatIsNotWritten) {
   EXPECT_TRUE(scene.grains.forces.empty());
   EXPECT_FALSE(scene.grains.cohesion);
   EXPECT_FALSE(scene.grains.lubrication);
+  EXPECT_FALSE(scene.grains.growth);
   EXPECT_EQ(scene.grains.damping.share, 0);
   EXPECT_EQ(scene.grains.walls, Walls{});
 }
@@ -89,6 +90,20 @@ step = 1e-3
   EXPECT_EQ(file.duration.until, 3);
 }
 
+TEST(ReadScene, HasPressuresInTimeAndSealedBoxes) {
+  const auto fluid = [](const std::string& faces) { return *read(std::string(packing) + faces).scene.fluid; };
+  const FluidScene ramp = fluid("[faces]\nz_min = { pressure = [[-1, 1], [3, 5]], along = \"time\" }\n");
+  EXPECT_EQ(ramp.faces[index(Face::z_min)], FaceCondition(Pressure{2}));
+  EXPECT_EQ(ramp.in_time[index(Face::z_min)], (PressureInTime{{{-1, 1}, {3, 5}}}));
+  EXPECT_FALSE(ramp.in_time[index(Face::z_max)]);
+  EXPECT_EQ(fluid("[faces]\n[compressible_fluid]\nbulk_modulus = 1e6\n").faces, FaceConditions{});
+}
+
+TEST(ReadScene, GrowsGrains) {
+  const Scene scene = read(std::string(packing) + "[growth]\nrate = 0.1\nstress = 1e3\n").scene;
+  EXPECT_EQ(scene.grains.growth, (Growth{0.1, 1e3}));
+}
+
 TEST(ReadScene, LubricatesWithoutAFlow) {
   const Scene scene = read(std::string(packing) + "[fluid]\nviscosity = 3\n[lubrication]\n").scene;
   EXPECT_FALSE(scene.fluid);
@@ -123,6 +138,17 @@ TEST(ReadScene, RefusesInOneLineThatQuotesTheValue) {
   says(films + "resists = [\"squeeze\"]\n", "resists \"squeeze\" is not one of normal, shear, roll, twist");
   says(films + "gap = 1\n", "gap");
   says("[flow]\naxis = \"z\"\n[run]\nscheme = \"magic\"\n", "\"magic\" is not one of explicit, semi-implicit");
+  const std::string growth = "[growth]\nrate = 1\nstress = 9\n";
+  says("[growth]\nstress = 1\n", "[growth] has no \"rate\"");
+  says("[growth]\nrate = 0\nstress = 1\n", "rate \"0\" must be above 0");
+  says(growth + "[flow]\naxis = \"z\"\n", "growth of radii is for dry grains");
+  says(growth + films, "growth of radii is for dry grains");
+  says(growth + "[walls]\nx_min = { stress = 5 }\n", "x_min at a stress of \"5\" (Pa) cannot be beside growth");
+  const std::string ramp = "[faces]\nz_min = { along = \"time\", pressure = ";
+  says(ramp + "[] }\n", "z_min pressure \"[]\" must be a number or at least one [time, pressure]");
+  says(ramp + "[[1, 0], [1, 2]] }\n", "z_min time \"1\" must be beyond the one before it, 1 (s)");
+  says(ramp + "[3] }\n", "pressure \"3\" must be two numbers [time (s), pressure (Pa)]");
+  says(ramp + "[[0, 1]], tangential = \"free\" }\n", "tangential");
   says("[run]\nsteps = 0\n", "steps \"0\" must be a whole number, 1 or more");
   says("[wind]\nspeed = 1\n", "wind");
 }
