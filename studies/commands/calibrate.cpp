@@ -79,6 +79,7 @@ void calibrate_command(const std::string& name) {
   const auto to = folder / "results" / "calibration.csv";
   write_file(to, table);
 
+  fmt::print("{:<22}  {}\n", "packings", known.size());
   const auto [openness, length, gap] = fit.standard_error;
   std::string whole = to_csv({"quantity", "value", "standard_error"});
   const auto add = [&](const std::string& quantity, double value, std::optional<double> error = std::nullopt) {
