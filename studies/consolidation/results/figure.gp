@@ -5,7 +5,7 @@ set multiplot layout 1,3
 set border 3
 set tics nomirror
 set bmargin 6
-set key at graph 0.5, graph -0.26 center top maxrows 2 samplen 2
+set key at graph 0.5, graph -0.26 center top maxcols 2 samplen 2
 set xlabel "time factor T"
 set ylabel "pressure at half of the height / load"
 set xrange [0:1]
