@@ -5,6 +5,7 @@
 #include <algorithm>
 
 namespace pfv {
+
 void PastIncrements::improve(Eigen::VectorXd& solution, Eigen::VectorXd& residual) {
   start_ = solution;
   start_residual_ = residual;

@@ -48,10 +48,11 @@ ExperimentReport run_consolidation(bool quick, const Say& say) {
     time_factors.push_back(0.05 * k);
   const Consolidation first = consolidate(test, time_factors, say);
   std::vector<OtherLayer> others;
-  for (Oedometer other = test; !quick && others.size() < 2;) {
-    ++other.seed;
-    say(fmt::format("the layer of seed {}", other.seed), 0);
-    others.push_back({other.seed, error_of(consolidate(other, time_factors, say))});
+  for (unsigned seed = test.seed + 1; !quick && seed <= test.seed + 2; ++seed) {
+    Oedometer other = test;
+    other.seed = seed;
+    say(fmt::format("the layer of seed {}", seed), 0);
+    others.push_back({seed, error_of(consolidate(other, time_factors, say))});
   }
   return consolidation_report(first, test, others);
 }

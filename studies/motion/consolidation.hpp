@@ -21,12 +21,13 @@ double expected_pressure(const Layer& layer, double time_factor, double share);
 
 ConsolidationError error_of(const Consolidation& test);
 
-/// Of one test, and of the errors of others whose packings differ by their seed alone.
+/// A layer that differs by its seed alone.
 struct OtherLayer {
   unsigned seed;
   ConsolidationError error;
 };
 
+/// Of one test, told in full, and of the errors of other layers; the worst of all is held against the bounds.
 ExperimentReport consolidation_report(const Consolidation& test, const Oedometer& asked,
                                       std::span<const OtherLayer> others = {});
 ExperimentReport run_consolidation(bool quick, const Say& say);

@@ -69,6 +69,8 @@ std::vector<Figure> pressure_in_space(std::span<const PlaceCase> cases) {
   if (viewed == nullptr)
     return {};
   const Shares shares = reference_shares(*viewed);
+  if (shares.of_pore.empty())
+    return {};
   Rendering rendering = render(cut_in_space(viewed->network, viewed->axis, shares.of_pore));
   return {{"The same in space, a quarter of the box cut away, the flow's axis upwards.", "", std::move(rendering.png),
            std::move(rendering.why_not)}};

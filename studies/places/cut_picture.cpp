@@ -127,21 +127,21 @@ Shares reference_shares(const PlaceCase& viewed) {
 }
 
 std::vector<Figure> pressure_cuts(std::span<const PlaceCase> cases) {
-  const PlaceCase* random = shown_case(cases);
+  const PlaceCase* viewed = shown_case(cases);
   std::vector<Figure> figures;
-  if (random == nullptr)
+  if (viewed == nullptr)
     return figures;
-  const Section section(*random);
-  const double drop = std::abs(random->rise);
-  for (const PlacePairs& pairs : random->pressures()) {
+  const Section section(*viewed);
+  const double drop = std::abs(viewed->rise);
+  for (const PlacePairs& pairs : viewed->pressures()) {
     const std::size_t pores = pairs.values.size();
     if (figures.empty()) {
-      const auto [least, most, shares] = reference_shares(*random);
+      const auto [least, most, shares] = reference_shares(*viewed);
       figures.push_back(
           cut(section,
               fmt::format("{}, {}: pressure in the pores, from dark at {} to bright at {} of the drop. "
                           "Blank: the centre of the pore lies in a sphere.",
-                          random->one.label, random->reference.method, percent(least / drop), percent(most / drop)),
+                          viewed->one.label, viewed->reference.method, percent(least / drop), percent(most / drop)),
               colours(shares, colour_of)));
     }
     std::vector<double> differences(pores);
@@ -153,7 +153,7 @@ std::vector<Figure> pressure_cuts(std::span<const PlaceCase> cases) {
       difference /= most > 0 ? most : 1;
     figures.push_back(cut(section,
                           fmt::format("{} less {}, blue below, red above, the darkest {} of the drop.", pairs.method,
-                                      random->reference.method, percent(most / drop)),
+                                      viewed->reference.method, percent(most / drop)),
                           colours(differences, diverging_colour_of)));
   }
   return figures;

@@ -11,7 +11,7 @@ namespace studies {
 /// The case that is drawn: the first with random spheres, else the first, or none.
 const PlaceCase* shown_case(std::span<const PlaceCase> cases);
 
-/// The reference's pressures in the pores as shares of what they span.
+/// The reference's pressures in the pores as shares of what they span; none where no other method has any to compare.
 struct Shares {
   double least, most;          // Pa
   std::vector<double> of_pore; // NaN where unknown
