@@ -1,3 +1,4 @@
+#include "studies/places/cut_in_space.hpp"
 #include "studies/places/place_case.hpp"
 #include "studies/places/place_files.hpp"
 #include "studies/places/places.hpp"
@@ -85,6 +86,13 @@ TEST_F(Places, PressuresWithoutALevelAreComparedAtTheSameMean) {
   ASSERT_EQ(pairs.size(), 1U);
   for (std::size_t i = 0; i < pairs[0].values.size(); ++i)
     EXPECT_NEAR(pairs[0].values[i], pairs[0].reference[i], 1e-12);
+}
+
+TEST_F(Places, NothingIsDrawnInSpaceWithoutAnotherMethod) {
+  auto cases = place_cases(study, results);
+  ASSERT_FALSE(cases.empty());
+  cases.front().others.clear();
+  EXPECT_TRUE(pressure_in_space(cases).empty());
 }
 
 TEST_F(Places, ForcesAreToldAlongTheFlow) {
