@@ -56,7 +56,8 @@ QuestionOptions question(const Options& options) {
 }
 
 void run(const Options& options) {
-  const FlowOptions how = read_flow_options(options.file, options.how);
+  FlowOptions how = read_flow_options(options.file, options.how);
+  how.keep_shapes = false;
   const Case problem = read_question(options.file, question(options));
   Clock clock;
   const SteadyFlow flow = solve_steady_flow(problem, how, clock);

@@ -194,8 +194,11 @@ bool refresh(FlowSystem& system, const PoreNetwork& network, const Conductances&
   }
   system.rounded_throats = conductances.rounded;
   system.rise = imposed_gradient(system.faces).cwiseProduct(network.box.size());
-  if (!impose_again(system, network) || !refill(system.matrix, links(network, system)))
+  if (!impose_again(system, network))
     return false;
+  if (!system.places && !(system.places = places_of(system.matrix, links(network, system))))
+    return false;
+  refill(system.matrix, *system.places, links(network, system));
   fill_right_side(network, system);
   return true;
 }

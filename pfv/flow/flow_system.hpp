@@ -1,11 +1,13 @@
 #pragma once
 
 #include "pfv/flow/conductance.hpp"
+#include "pfv/flow/link_matrix.hpp"
 #include "pfv/pores/pore_network.hpp"
 #include "pfv/problem/case.hpp"
 #include "pfv/solvers/flow_matrix.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,11 +38,12 @@ struct FlowSystem {
   std::vector<KnownPore> known_pores;
   std::vector<Shift> offset; // boxes from a pore to the first of its group; empty unless the box is periodic
   FaceConditions faces;
-  std::size_t points = 0;     // with a pressure
-  double level = 0;           // Pa, the mean of the imposed pressures: the unknowns are pressures above it
-  Vec3 rise = Vec3::Zero();   // Pa, from one box to the next
-  FlowMatrix matrix;          // m^3/(Pa s)
-  Eigen::VectorXd right_side; // m^3/s
+  std::size_t points = 0;           // with a pressure
+  double level = 0;                 // Pa, the mean of the imposed pressures: the unknowns are pressures above it
+  Vec3 rise = Vec3::Zero();         // Pa, from one box to the next
+  FlowMatrix matrix;                // m^3/(Pa s)
+  std::optional<LinkPlaces> places; // once the matrix has been refreshed
+  Eigen::VectorXd right_side;       // m^3/s
 
   std::size_t contracted_throats = 0;
   std::size_t rounded_throats = 0;
@@ -64,11 +67,11 @@ enum class Isolated { at_mean, unknown };
 FlowSystem assemble(const PoreNetwork& network, Conductances conductances, const FaceConditions& faces,
                     std::span<const PressurePoint> points = {}, Isolated isolated = Isolated::at_mean);
 
-/// New conductances, and profiles where pores are now, into the same pattern without allocation; the pressure of Flux
-/// faces is zero again. A throat that turns around, as where four spheres change partners, conducts without bound for a
-/// moment; here it gets `wide_open` medians, along which no pressure drops either, so that the pattern can stay.
-/// Returns false, and leaves the system to be assembled anew, when a contracted throat is no longer wide open or
-/// throats open or close.
+/// New conductances, and profiles where pores are now, into the same pattern, without allocation but for the first
+/// time; the pressure of Flux faces is zero again. A throat that turns around, as where four spheres change partners,
+/// conducts without bound for a moment; here it gets `wide_open` medians, along which no pressure drops either, so that
+/// the pattern can stay. Returns false, and leaves the system to be assembled anew, when a contracted throat is no
+/// longer wide open or throats open or close.
 bool refresh(FlowSystem& system, const PoreNetwork& network, const Conductances& conductances);
 
 /// Imposes another pressure (Pa) on all pores that have theirs from this face. The right side is left as it is.

@@ -3,6 +3,10 @@
 #include "pfv/solvers/flow_matrix.hpp"
 
 #include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace pfv {
 
@@ -11,6 +15,12 @@ void sort_and_merge(FlowMatrix& matrix);
 
 /// Where row a has its entry in column b, or -1.
 int position(const FlowMatrix& matrix, int a, int b);
+
+/// Where the entries of a matrix are, so that new values need not be searched a place for.
+struct LinkPlaces {
+  std::vector<int> diagonal;               // by row
+  std::vector<std::array<int, 2>> between; // of the links between two unknowns, in the order they are visited
+};
 
 /// The matrix of sum_j K_ij (p_i - p_j) over the unknowns 0 ... n - 1. `visit_links(f)` calls f(a, b, K) for every
 /// link; a negative a or b is a known pressure, a = b no link. Linear in the links: rows are counted, placed, filled,
@@ -61,29 +71,42 @@ FlowMatrix matrix_of(int n, const VisitLinks& visit_links) {
   return matrix;
 }
 
-/// New values in place; whether the matrix has an entry for every link.
+/// Nothing when a link has no entry.
 template <typename VisitLinks>
-bool refill(FlowMatrix& matrix, const VisitLinks& visit_links) {
+std::optional<LinkPlaces> places_of(const FlowMatrix& matrix, const VisitLinks& visit_links) {
+  LinkPlaces places;
+  for (int row = 0; row < matrix.rows(); ++row)
+    places.diagonal.push_back(position(matrix, row, row));
+  bool complete = true;
+  visit_links([&](int a, int b, double) {
+    if (a < 0 || b < 0 || a == b)
+      return;
+    const std::array place{position(matrix, a, b), position(matrix, b, a)};
+    complete = complete && place[0] >= 0 && place[1] >= 0;
+    places.between.push_back(place);
+  });
+  return complete ? std::optional(std::move(places)) : std::nullopt;
+}
+
+/// New values in place. The links are those that the places are of.
+template <typename VisitLinks>
+void refill(FlowMatrix& matrix, const LinkPlaces& places, const VisitLinks& visit_links) {
   double* value = matrix.valuePtr();
   std::fill(value, value + matrix.nonZeros(), 0.0);
-  bool complete = true;
+  auto between = places.between.begin();
   visit_links([&](int a, int b, double k) {
     if (a == b)
       return;
     if (a >= 0)
-      value[position(matrix, a, a)] += k;
+      value[places.diagonal[a]] += k;
     if (b >= 0)
-      value[position(matrix, b, b)] += k;
+      value[places.diagonal[b]] += k;
     if (a < 0 || b < 0)
       return;
-    const int ab = position(matrix, a, b), ba = position(matrix, b, a);
-    complete = complete && ab >= 0 && ba >= 0;
-    if (!complete)
-      return;
-    value[ab] -= k;
-    value[ba] -= k;
+    value[(*between)[0]] -= k;
+    value[(*between)[1]] -= k;
+    ++between;
   });
-  return complete;
 }
 
 } // namespace pfv

@@ -121,6 +121,8 @@ FollowedFlow::FollowedFlow(const Case& problem, const FlowOptions& options, Cloc
     const auto timing = clock.stage("conductances");
     throats = conductances(flow_.network, options_.conductance, options_.walls, question_.fluid.viscosity);
   }
+  if (!options_.keep_shapes)
+    flow_.network.throats.forget_shapes();
   {
     const auto timing = clock.stage("assemble");
     flow_.system = assemble(flow_.network, std::move(throats), question_.faces, question_.pressure_points);
@@ -134,6 +136,7 @@ FollowedFlow::~FollowedFlow() = default;
 
 void FollowedFlow::follow(const Packing& packing, Clock& clock) {
   question_.packing.box = packing.box;
+  flow_.network.throats.make_room_for_shapes(reads_openings(options_.conductance));
   pfv::follow(flow_.network, packing, clock);
   {
     const auto timing = clock.stage("conductances");

@@ -49,9 +49,6 @@ void list_throats(const Triangulation& cells, PoreNetwork::Throats& throats) {
   add_all(false);
   throats.interior = throats.pores.size();
   add_all(true);
-  throats.fluid_area.resize(throats.size());
-  throats.length.resize(throats.size());
-  throats.void_volume.resize(throats.size());
   throats.wetted_surface.resize(throats.size());
 }
 
@@ -89,6 +86,19 @@ bool PoreNetwork::Pores::touches(std::size_t pore, Face face) const {
   return std::ranges::find(vertices[pore], wall_vertex(face)) != vertices[pore].end();
 }
 
+void PoreNetwork::Throats::make_room_for_shapes(bool openings) {
+  for (auto* const shape : {&fluid_area, &length, &void_volume})
+    shape->resize(size());
+  if (openings)
+    for (auto* const opening : {&area, &gap})
+      opening->resize(size());
+}
+
+void PoreNetwork::Throats::forget_shapes() {
+  for (auto* const shape : {&fluid_area, &length, &void_volume, &area, &gap})
+    *shape = std::vector<double>();
+}
+
 double PoreNetwork::porosity() const {
   return std::accumulate(pores.void_volume.begin(), pores.void_volume.end(), 0.0) / box.volume();
 }
@@ -101,10 +111,7 @@ PoreNetwork build_pore_network(const Packing& packing, const PeriodicAxes& perio
   }
   const auto timing = clock.stage("geometry");
   PoreNetwork network = topology(packing, periodic, std::move(cells));
-  if (openings) {
-    network.throats.area.resize(network.throats.size());
-    network.throats.gap.resize(network.throats.size());
-  }
+  network.throats.make_room_for_shapes(openings);
   set_pore_centres(network);
   measure(network);
   return network;

@@ -58,6 +58,10 @@ struct PoreNetwork {
     std::vector<double> gap;  // see smallest_gap; likewise
 
     std::size_t size() const { return pores.size(); }
+    /// Room for what conductances are computed from, fluid_area to void_volume, and with openings area and gap.
+    void make_room_for_shapes(bool openings);
+    /// Frees that room.
+    void forget_shapes();
   } throats;
 
   struct Spheres {

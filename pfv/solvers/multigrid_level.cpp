@@ -10,7 +10,8 @@ MultigridLevel<Value>::MultigridLevel(const MatrixView<Value>& matrix, double sc
   right_side.assign(rows, 0);
   pressure.assign(rows, 0);
   inverse_diagonal_.resize(rows);
-  right_of_diagonal_.resize(rows);
+  if (!whole_rows)
+    right_of_diagonal_.resize(rows);
   follow(matrix, scale);
 }
 
@@ -20,25 +21,24 @@ void MultigridLevel<Value>::follow(const MatrixView<Value>& matrix, double scale
   scale_ = static_cast<Value>(scale);
   for (int i = 0; i < matrix.rows(); ++i) {
     inverse_diagonal_[i] = 0;
-    int& right = right_of_diagonal_[i];
-    right = matrix.start[i + 1];
-    for (int e = matrix.start[i]; e < matrix.start[i + 1]; ++e)
-      if (matrix.column[e] >= i) {
-        right = e;
-        break;
-      }
+    int right = matrix.start[i];
+    while (right < matrix.start[i + 1] && matrix.column[right] < i)
+      ++right;
     if (right < matrix.start[i + 1] && matrix.column[right] == i) {
       if (matrix.value[right] > 0)
         inverse_diagonal_[i] = static_cast<float>(1 / (scale_ * matrix.value[right]));
       ++right;
     }
+    if (!whole_rows)
+      right_of_diagonal_[i] = right;
   }
 }
 
 template <class Value>
 std::size_t MultigridLevel<Value>::memory_bytes() const {
   return sizeof(Parents) * from_coarser.size() +
-         sizeof(float) * (inverse_diagonal_.size() + right_side.size() + pressure.size());
+         sizeof(float) * (inverse_diagonal_.size() + right_side.size() + pressure.size()) +
+         sizeof(int) * right_of_diagonal_.size();
 }
 
 template <class Value>

@@ -48,7 +48,7 @@ private:
 
   MatrixView<Value> matrix_;
   Value scale_;
-  std::vector<int> right_of_diagonal_;  // by row, the first entry there
+  std::vector<int> right_of_diagonal_;  // by row, the first entry there; empty when all steps go along whole rows
   std::vector<float> inverse_diagonal_; // 0 where the sum of a coarse diagonal has cancelled to nothing
 };
 

@@ -19,7 +19,9 @@ class PoreVolumes final : public Method {
 public:
   PoreVolumes(std::string name, const std::string& particular = "", pfv::FlowOptions options = {})
       : name_(std::move(name)), description_("pore-scale finite volumes (PFV)" + particular),
-        options_(std::move(options)) {}
+        options_(std::move(options)) {
+    options_.keep_shapes = false;
+  }
 
   std::string name() const override { return name_; }
   std::string description() const override { return description_; }

@@ -70,13 +70,15 @@ TEST(LinkMatrix, TakesNewValuesInPlace) {
   FlowMatrix matrix = matrix_of(30, visitor(links));
   for (auto& link : links)
     link.k = 2 * link.k + 1;
-  EXPECT_TRUE(refill(matrix, visitor(links)));
+  const auto places = places_of(matrix, visitor(links));
+  ASSERT_TRUE(places);
+  refill(matrix, *places, visitor(links));
   EXPECT_EQ((Eigen::MatrixXd(matrix) - dense(30, links)).norm(), 0);
 }
 
 TEST(LinkMatrix, SaysWhenALinkHasNoEntry) {
-  FlowMatrix matrix = matrix_of(3, visitor({{0, 1, 1.0}}));
-  EXPECT_FALSE(refill(matrix, visitor({{0, 2, 1.0}})));
+  const FlowMatrix matrix = matrix_of(3, visitor({{0, 1, 1.0}}));
+  EXPECT_FALSE(places_of(matrix, visitor({{0, 2, 1.0}})));
 }
 
 } // namespace
