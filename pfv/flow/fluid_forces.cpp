@@ -8,14 +8,9 @@
 namespace pfv {
 namespace {
 
-/// Shares of the vertices of a throat in its fluid area: by wetted surface, by disc sector where that is not positive.
-std::array<double, 3> fluid_shares(const std::array<double, 3>& wetted, const std::array<double, 3>& sector) {
-  const auto sum = [](const std::array<double, 3>& of) { return of[0] + of[1] + of[2]; };
-  const auto& by = sum(wetted) > 0 ? wetted : sector;
-  const double total = sum(by);
-  if (!(total > 0))
-    return {};
-  return {by[0] / total, by[1] / total, by[2] / total};
+/// What the vertices of a throat share its fluid area by: wetted surface, or disc sector where that is not positive.
+const std::array<double, 3>& sharing(const std::array<double, 3>& wetted, const std::array<double, 3>& sector) {
+  return wetted[0] + wetted[1] + wetted[2] > 0 ? wetted : sector;
 }
 
 void clear(std::vector<Vec3>& vectors, std::size_t count) {
@@ -27,40 +22,47 @@ void clear(std::vector<Vec3>& vectors, std::size_t count) {
 
 void update(FluidForces& forces, const PoreNetwork& network, const FlowSystem& system,
             const std::vector<double>& pressure, const WallRule& walls, const std::optional<Buoyancy>& buoyancy) {
-  const std::size_t spheres = network.spheres.volume.size();
-  clear(forces.pressure, spheres);
-  clear(forces.viscous, spheres);
+  auto& of_sites = forces.of_sites;
+  of_sites.resize(network.sites.size());
+  std::ranges::fill(of_sites, FluidForces::OfSite{});
   forces.on_face.fill(Vec3::Zero());
   const double wall_share = std::visit([](const auto& rule) -> double { return rule.surface; }, walls);
 
   const auto& throats = network.throats;
   visit_planes(network, [&](std::size_t t, const ThroatPlane& plane) {
     const Vec3 step = pressure_drop(network, system, pressure, t) * plane.normal;
-    std::array<double, 3> wetted = throats.wetted_surface[t];
     const auto corners = network.corners(t);
+    std::array<double, 3> wetted = throats.wetted_surface[t];
     for (int c = 0; c < 3; ++c)
       if (is_wall(corners[c]))
         wetted[c] *= wall_share;
-    const auto share = fluid_shares(wetted, plane.sector);
+    const auto& share = sharing(wetted, plane.sector);
+    const double whole = share[0] + share[1] + share[2];
+    const Vec3 viscous = whole > 0 ? Vec3(plane.fluid_area() / whole * step) : Vec3(Vec3::Zero());
     for (int c = 0; c < 3; ++c) {
-      const Vertex v = corners[c];
-      const Vec3 viscous = plane.fluid_area() * share[c] * step;
-      if (is_wall(v)) {
-        forces.on_face[index(face_of(v))] += viscous;
-        continue;
+      if (is_wall(corners[c])) {
+        forces.on_face[index(face_of(corners[c]))] += share[c] * viscous;
+      } else {
+        FluidForces::OfSite& site = of_sites[corners[c]];
+        site.pressure += plane.sector[c] * step;
+        site.viscous += share[c] * viscous;
       }
-      forces.pressure[network.sites.number[v]] += plane.sector[c] * step;
-      forces.viscous[network.sites.number[v]] += viscous;
     }
   });
+  clear(forces.pressure, network.spheres.volume.size());
+  clear(forces.viscous, network.spheres.volume.size());
+  for (std::size_t s = 0; s < of_sites.size(); ++s) {
+    forces.pressure[network.sites.number[s]] += of_sites[s].pressure;
+    forces.viscous[network.sites.number[s]] += of_sites[s].viscous;
+  }
   for (const auto& part : network.wall_parts)
     forces.on_face[index(part.face)] += pressure[part.pore] * part.area * outward_normal(part.face);
 
   if (buoyancy) {
     if (!forces.buoyancy)
       forces.buoyancy.emplace();
-    forces.buoyancy->resize(spheres);
-    for (std::size_t k = 0; k < spheres; ++k)
+    forces.buoyancy->resize(network.spheres.volume.size());
+    for (std::size_t k = 0; k < forces.buoyancy->size(); ++k)
       (*forces.buoyancy)[k] = -buoyancy->fluid_density * network.spheres.volume[k] * buoyancy->gravity;
   }
 }

@@ -18,6 +18,11 @@ struct FluidForces {
   std::optional<std::vector<Vec3>> buoyancy; // - rho_f g V; when the case names it
   std::array<Vec3, 6> on_face{};             // on the faces of the box, by index(Face); no buoyancy
 
+  struct OfSite {
+    Vec3 pressure = Vec3::Zero(), viscous = Vec3::Zero();
+  };
+  std::vector<OfSite> of_sites; // room for the sums, in the order of sites, which is that of space
+
   /// Pressure and viscous force on one sphere: what the flow does.
   Vec3 of_flow(std::size_t sphere) const { return pressure[sphere] + viscous[sphere]; }
 };
