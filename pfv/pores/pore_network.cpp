@@ -72,6 +72,7 @@ PoreNetwork topology(const Packing& packing, const PeriodicAxes& periodic, Trian
   network.pores.void_volume.resize(network.pores.size());
   network.spheres.volume.resize(packing.spheres.size());
   network.spheres.wetted_surface.resize(packing.spheres.size());
+  network.spheres.of_sites.resize(network.sites.size());
   list_wall_parts(network);
   return network;
 }

@@ -65,9 +65,10 @@ struct PoreNetwork {
   } throats;
 
   struct Spheres {
-    std::vector<double> volume;         // m^3, inside the box, as the bipyramids sum it
-    std::vector<double> wetted_surface; // m^2, inside the box, as the bipyramids sum it
-  } spheres;                            // by number in the packing
+    std::vector<double> volume;                  // m^3, inside the box, as the bipyramids sum it
+    std::vector<double> wetted_surface;          // m^2, inside the box, as the bipyramids sum it
+    std::vector<std::array<double, 2>> of_sites; // room for these sums, in the order of sites, which is that of space
+  } spheres;                                     // by number in the packing
 
   std::vector<int> hidden_spheres;  // without a pore of their own, so without fluid force
   std::size_t flat_pores = 0;       // whose centre, lost along their normal, is that of a neighbour

@@ -19,8 +19,7 @@ public:
   explicit Measuring(PoreNetwork& network) : network_(network) {
     std::ranges::fill(network.pores.volume, 0);
     std::ranges::fill(network.pores.void_volume, 0);
-    std::ranges::fill(network.spheres.volume, 0);
-    std::ranges::fill(network.spheres.wetted_surface, 0);
+    std::ranges::fill(network.spheres.of_sites, std::array{0.0, 0.0});
     network.closed_throats = network.inverted_throats = 0;
   }
 
@@ -54,19 +53,30 @@ public:
     }
   }
 
-  /// A closed surface has no net area vector, so what a pore's facets leave open lies on its walls.
+  /// A closed surface has no net area vector, so what a pore's facets leave open lies on its walls. Those through a
+  /// wall stand upright on it: what lies on it is below the one that is not.
   void wall_parts() {
     for (auto& part : network_.wall_parts) {
       const auto& cell = network_.pores.vertices[part.pore];
       const Vec3 outward = outward_normal(part.face);
+      const auto f = std::ranges::find(cell, wall_vertex(part.face)) - cell.begin();
+      const auto vertices = facet_opposite(cell, static_cast<int>(f));
       part.area = 0;
-      for (int f = 0; f < 4; ++f) {
-        const auto vertices = facet_opposite(cell, f);
-        if (std::ranges::all_of(vertices, is_wall))
-          continue;
-        const Facet facet = make_facet(network_.walls, network_.sites.spheres, vertices);
-        part.area -= facet.area * facet.normal.dot(outward);
-      }
+      if (std::ranges::all_of(vertices, is_wall))
+        continue;
+      const Facet facet = make_facet(network_.walls, network_.sites.spheres, vertices);
+      part.area = -facet.area * facet.normal.dot(outward);
+    }
+  }
+
+  void spheres() {
+    auto& spheres = network_.spheres;
+    std::ranges::fill(spheres.volume, 0);
+    std::ranges::fill(spheres.wetted_surface, 0);
+    for (std::size_t s = 0; s < spheres.of_sites.size(); ++s) {
+      const int k = network_.sites.number[s];
+      spheres.volume[k] += spheres.of_sites[s][0];
+      spheres.wetted_surface[k] += spheres.of_sites[s][1];
     }
   }
 
@@ -113,9 +123,9 @@ private:
       if (const Vertex v = corners[c]; !is_wall(v)) {
         const double radius = network_.sites.spheres[v].radius;
         closed = closed && measures.plane.area > no_facet * radius * radius;
-        const int k = network_.sites.number[v];
-        network_.spheres.volume[k] += measures.ball[c];
-        network_.spheres.wetted_surface[k] += measures.wetted[c];
+        auto& [volume, wetted_surface] = network_.spheres.of_sites[v];
+        volume += measures.ball[c];
+        wetted_surface += measures.wetted[c];
       }
     const auto [i, j] = throats.pores[t];
     network_.pores.volume[i] += measures.behind.volume;
@@ -136,6 +146,7 @@ void measure(PoreNetwork& network) {
   Measuring measuring(network);
   measuring.interior_throats();
   measuring.wall_throats();
+  measuring.spheres();
   measuring.wall_parts();
 }
 
