@@ -16,6 +16,7 @@ std::vector<std::unique_ptr<Method>> make_methods() {
   std::vector<std::unique_ptr<Method>> list;
   list.push_back(make_pore_volumes());
   list.push_back(make_pore_volumes_sor());
+  list.push_back(make_pore_volumes_loose());
   list.push_back(make_pore_volumes_mixed_area());
   list.push_back(make_pore_volumes_calibrated());
   list.push_back(make_pore_volumes_original_walls());

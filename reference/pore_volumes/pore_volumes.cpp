@@ -113,6 +113,11 @@ std::unique_ptr<Method> make_pore_volumes_sor() {
                                        pfv::FlowOptions{.solver = pfv::GaussSeidel{}});
 }
 
+std::unique_ptr<Method> make_pore_volumes_loose() {
+  return std::make_unique<PoreVolumes>("pore_volumes_loose", ", pressures to 1e-6 in the norm of the dissipated power",
+                                       pfv::FlowOptions{.solver = pfv::Multigrid{.tolerance = 1e-6}});
+}
+
 std::unique_ptr<Method> make_pore_volumes_mixed_area() {
   return std::make_unique<PoreVolumes>("pore_volumes_mixed_area", ", conductance rule mixed-area",
                                        pfv::FlowOptions{.conductance = pfv::MixedArea{}});

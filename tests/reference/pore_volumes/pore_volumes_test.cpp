@@ -3,6 +3,7 @@
 #include "pfv/problem/generate.hpp"
 #include "support/packings.hpp"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,6 +40,19 @@ TEST(PoreVolumes, BothSolversAgree) {
   const auto direct = make_pore_volumes(), relaxed = make_pore_volumes_sor();
   EXPECT_NE(direct->name(), relaxed->name());
   EXPECT_NEAR(*answer_of(*relaxed, problem).permeability / *answer_of(*direct, problem).permeability, 1, 1e-9);
+}
+
+TEST(PoreVolumes, AreLooserForLess) {
+  const auto problem = flow_through(packing_from("g2000.txt"));
+  const auto exact = answer_of(*make_pore_volumes(), problem), loose = answer_of(*make_pore_volumes_loose(), problem);
+  EXPECT_LT(loose.counts.at("iterations"), .7 * exact.counts.at("iterations"));
+  double difference = 0, whole = 0;
+  for (std::size_t k = 0; k < exact.sphere_forces->size(); ++k) {
+    difference += ((*loose.sphere_forces)[k] - (*exact.sphere_forces)[k]).squaredNorm();
+    whole += (*exact.sphere_forces)[k].squaredNorm();
+  }
+  EXPECT_GT(difference, 0);
+  EXPECT_LT(std::sqrt(difference / whole), 1e-4);
 }
 
 TEST(PoreVolumes, CoversOnlyWhatHasAPressure) {
