@@ -38,7 +38,7 @@ void update(FluidForces& forces, const PoreNetwork& network, const FlowSystem& s
         wetted[c] *= wall_share;
     const auto& share = sharing(wetted, plane.sector);
     const double whole = share[0] + share[1] + share[2];
-    const Vec3 viscous = whole > 0 ? Vec3(plane.fluid_area() / whole * step) : Vec3(Vec3::Zero());
+    const Vec3 viscous = whole > 0 ? Vec3(plane.fluid_area / whole * step) : Vec3(Vec3::Zero());
     for (int c = 0; c < 3; ++c) {
       if (is_wall(corners[c])) {
         forces.on_face[index(face_of(corners[c]))] += share[c] * viscous;

@@ -1,6 +1,7 @@
 #include "pfv/pores/facet_block.hpp"
 
 #include "pfv/pores/lens.hpp"
+#include "pfv/pores/open_area.hpp"
 
 namespace pfv {
 namespace {
@@ -84,8 +85,12 @@ PFV_VECTORISED void cut_reaches(FacetBlock& block) {
 }
 
 PFV_VECTORISED void measure_fluid(FacetBlock& block) {
-  for (int t = 0; t < FacetBlock::width; ++t)
-    block.fluid_area[t] = block.area[t] - (block.sector[0][t] + block.sector[1][t] + block.sector[2][t]);
+  for (int t = 0; t < FacetBlock::width; ++t) {
+    const double ra = block.corners[0].radius[t], rb = block.corners[1].radius[t], rc = block.corners[2].radius[t];
+    const double larger = ra > rb ? ra : rb;
+    block.fluid_area[t] = open_area(block.area[t], block.sector[0][t] + block.sector[1][t] + block.sector[2][t],
+                                    larger > rc ? larger : rc);
+  }
 }
 
 PFV_VECTORISED void measure_smallest_gaps(FacetBlock& block) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "pfv/pores/vertex.hpp"
+
 #include <array>
 
 namespace pfv {
@@ -13,11 +15,12 @@ struct FacetBlock {
     Lane x, y, z, radius; // m
   };
   std::array<Corner, 3> corners;
+  std::array<std::array<Vertex, 3>, width> vertices; // which spheres these are
 
   std::array<Lane, 3> normal; // unit, by the order of the corners
   Lane area;                  // m^2, S
   std::array<Lane, 3> sector; // m^2, A_k: of each corner's disc, inside the facet and not in another's disc
-  Lane fluid_area;            // m^2, S_f = S - sum A_k
+  Lane fluid_area;            // m^2, S_f: see open_area
   Lane gap;                   // see smallest_gap
   bool overlapping = false;   // some spheres of the block overlap
   Lane crowding;              // only when they do: see is_crowded

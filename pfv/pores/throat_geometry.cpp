@@ -11,7 +11,6 @@ namespace pfv {
 namespace {
 
 constexpr double no_facet = 1e-9;        // of a sphere's squared radius: one between spheres centred on a wall
-constexpr double no_opening = 1e-14;     // likewise: what round-off leaves of sectors as large as the sphere's section
 constexpr double inverted_below = -1e-6; // l of the largest side of the box; walls are only that exact
 
 class Measuring {
@@ -36,7 +35,7 @@ public:
         if (facets.is_crowded(t))
           one_by_one(first + t);
         else
-          store(first + t, measures(facets, bipyramids, t));
+          store(first + t, facets.vertices[t], measures(facets, bipyramids, t));
       }
       if (!network_.throats.gap.empty()) {
         facets.measure_gaps();
@@ -93,7 +92,10 @@ private:
   }
 
   static ThroatMeasures measures(const FacetBlock& facets, const BipyramidBlock& block, int t) {
-    return {.plane = {{}, facets.area[t], {facets.sector[0][t], facets.sector[1][t], facets.sector[2][t]}},
+    return {.plane = {{},
+                      facets.area[t],
+                      {facets.sector[0][t], facets.sector[1][t], facets.sector[2][t]},
+                      facets.fluid_area[t]},
             .length = block.length[t],
             .behind = {block.behind.volume[t], block.behind.void_volume[t]},
             .ahead = {block.ahead.volume[t], block.ahead.void_volume[t]},
@@ -102,37 +104,39 @@ private:
   }
 
   void one_by_one(std::size_t t) {
-    store(t, measure_throat(network_.walls, network_.sites.spheres, network_.corners(t),
-                            network_.pores.centre[network_.throats.pores[t][0]], network_.centre_ahead(t)));
+    const auto corners = network_.corners(t);
+    store(t, corners,
+          measure_throat(network_.walls, network_.sites.spheres, corners,
+                         network_.pores.centre[network_.throats.pores[t][0]], network_.centre_ahead(t)));
   }
 
-  void store(std::size_t t, const ThroatMeasures& measures) {
+  bool is_facet(double area, const std::array<Vertex, 3>& corners) const {
+    return std::ranges::all_of(corners, [&](Vertex v) {
+      return is_wall(v) || area > no_facet * std::pow(network_.sites.spheres[v].radius, 2);
+    });
+  }
+
+  void store(std::size_t t, const std::array<Vertex, 3>& corners, const ThroatMeasures& measures) {
     auto& throats = network_.throats;
-    throats.fluid_area[t] = measures.plane.fluid_area();
+    throats.fluid_area[t] = measures.plane.fluid_area;
     throats.length[t] = measures.length;
     throats.void_volume[t] = measures.behind.void_volume + measures.ahead.void_volume;
     throats.wetted_surface[t] = measures.wetted;
     if (!throats.area.empty())
       throats.area[t] = measures.plane.area;
-    const auto corners = network_.corners(t);
-    for (const Vertex v : corners)
-      if (!is_wall(v) && throats.fluid_area[t] < no_opening * std::pow(network_.sites.spheres[v].radius, 2))
-        throats.fluid_area[t] = 0;
-    bool closed = throats.fluid_area[t] == 0;
     for (int c = 0; c < 3; ++c)
-      if (const Vertex v = corners[c]; !is_wall(v)) {
-        const double radius = network_.sites.spheres[v].radius;
-        closed = closed && measures.plane.area > no_facet * radius * radius;
-        auto& [volume, wetted_surface] = network_.spheres.of_sites[v];
+      if (!is_wall(corners[c])) {
+        auto& [volume, wetted_surface] = network_.spheres.of_sites[corners[c]];
         volume += measures.ball[c];
         wetted_surface += measures.wetted[c];
       }
+    if (measures.plane.fluid_area == 0 && is_facet(measures.plane.area, corners))
+      ++network_.closed_throats;
     const auto [i, j] = throats.pores[t];
     network_.pores.volume[i] += measures.behind.volume;
     network_.pores.volume[j] += measures.ahead.volume;
     network_.pores.void_volume[i] += measures.behind.void_volume;
     network_.pores.void_volume[j] += measures.ahead.void_volume;
-    network_.closed_throats += closed;
     if (measures.length < inverted_below * network_.box.size().maxCoeff())
       ++network_.inverted_throats;
   }

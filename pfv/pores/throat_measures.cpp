@@ -1,8 +1,11 @@
 #include "pfv/pores/throat_measures.hpp"
 
 #include "pfv/pores/facet_section.hpp"
+#include "pfv/pores/open_area.hpp"
 #include "pfv/pores/orthoscheme.hpp"
 #include "pfv/pores/short_list.hpp"
+
+#include <algorithm>
 
 namespace pfv {
 namespace {
@@ -32,7 +35,15 @@ public:
         }
   }
 
-  ThroatPlane plane() const { return {facet_.normal, facet_.area, covered_parts(box_, spheres_, facet_)}; }
+  ThroatPlane plane() const {
+    const auto sector = covered_parts(box_, spheres_, facet_);
+    double largest_radius = 0;
+    for (const auto& corner : facet_.corners)
+      if (!is_wall(corner.vertex))
+        largest_radius = std::max(largest_radius, spheres_[corner.vertex].radius);
+    return {facet_.normal, facet_.area, sector,
+            open_area(facet_.area, sector[0] + sector[1] + sector[2], largest_radius)};
+  }
 
   void add_pyramid(double sign, const Vec3& apex, Pyramid& pyramid, ThroatMeasures& throat) const {
     const double height = sign * (apex - facet_.point).dot(facet_.normal);

@@ -9,13 +9,7 @@ struct ThroatPlane {
   Vec3 normal;                    // unit, from the pore behind to the one ahead
   double area;                    // m^2, S
   std::array<double, 3> sector{}; // m^2, A_k by vertex: see covered_parts
-
-  /// m^2, S_f; 0 when so little is left that it is round-off: the spheres cover the facet.
-  double fluid_area() const {
-    const double open = area - sector[0] - sector[1] - sector[2];
-    return open > open_by_round_off * area ? open : 0;
-  }
-  static constexpr double open_by_round_off = 1e-14;
+  double fluid_area = 0;          // m^2, S_f: see open_area
 };
 
 /// The pyramid between a facet and the centre of one of its pores, negative when the centre is on the wrong side.

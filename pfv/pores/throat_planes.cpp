@@ -8,7 +8,7 @@ int gather(const PoreNetwork& network, std::size_t first, FacetBlock& block) {
   const auto& throats = network.throats;
   const int count = static_cast<int>(std::min<std::size_t>(FacetBlock::width, throats.interior - first));
   for (int t = 0; t < count; ++t) {
-    const auto corners = network.corners(first + t);
+    const auto& corners = block.vertices[t] = network.corners(first + t);
     for (int c = 0; c < 3; ++c) {
       const Sphere& sphere = network.sites.spheres[corners[c]];
       block.corners[c].x[t] = sphere.centre.x();
@@ -28,11 +28,12 @@ void visit_planes(const PoreNetwork& network, const std::function<void(std::size
     block.measure();
     for (int t = 0; t < count; ++t) {
       if (block.is_crowded(t))
-        visit(first + t, measure_plane(network.walls, network.sites.spheres, network.corners(first + t)));
+        visit(first + t, measure_plane(network.walls, network.sites.spheres, block.vertices[t]));
       else
         visit(first + t, {{block.normal[0][t], block.normal[1][t], block.normal[2][t]},
                           block.area[t],
-                          {block.sector[0][t], block.sector[1][t], block.sector[2][t]}});
+                          {block.sector[0][t], block.sector[1][t], block.sector[2][t]},
+                          block.fluid_area[t]});
     }
   }
   for (std::size_t t = throats.interior; t < throats.size(); ++t)

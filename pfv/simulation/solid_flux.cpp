@@ -51,7 +51,7 @@ std::array<double, 3> shares(const PoreNetwork& network, std::size_t t, const Th
   const double total = sum(by);
   std::array<double, 3> part = plane.sector;
   for (int c = 0; c < 3 && total > 0; ++c)
-    part[c] += plane.fluid_area() * by[c] / total;
+    part[c] += plane.fluid_area * by[c] / total;
   return part;
 }
 

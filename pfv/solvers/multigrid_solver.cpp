@@ -21,7 +21,9 @@ public:
   void factor(const FlowMatrix& matrix) override {
     coarser_.clear();
     coarse_matrices_.clear();
-    set_finest(matrix);
+    const FlowMatrix& top = finest(matrix);
+    scale_ = scale_of(top);
+    finest_.emplace(view(top), scale_);
     // The first coarse matrix is summed from double precision: in wide throats nearly all of it cancels.
     bool has_coarser = finest_->rows() > coarsest_rows && coarsen(view(matrix), scale_, *finest_, term_);
     while (has_coarser && coarser_.back().rows() > coarsest_rows)
@@ -30,7 +32,7 @@ public:
       factor_coarsest();
   }
 
-  void follow(const FlowMatrix& matrix) override { set_finest(matrix); }
+  void follow(const FlowMatrix& matrix) override { finest_->follow(view(finest(matrix)), scale_); }
 
   double apply(const Eigen::VectorXd& residual, Eigen::VectorXd& correction) override {
     const double size = residual.lpNorm<Eigen::Infinity>();
@@ -72,18 +74,14 @@ private:
 
   /// The finest level has of the term its diagonal alone, which keeps its rows short: what the term does beyond is
   /// smooth, and the coarser levels have it.
-  void set_finest(const FlowMatrix& matrix) {
+  const FlowMatrix& finest(const FlowMatrix& matrix) {
     const FlowMatrix* finest = &matrix;
     if (term_ != nullptr && !term_->empty()) {
       with_diagonal_ = matrix;
       with_diagonal_.diagonal() += diagonal(*term_);
       finest = &with_diagonal_;
     }
-    scale_ = scale_of(*finest);
-    if (finest_ && finest_->rows() == matrix.rows())
-      finest_->follow(view(*finest), scale_);
-    else
-      finest_.emplace(view(*finest), scale_);
+    return *finest;
   }
 
   /// Adds the level below the last one, which is that of the matrix. Whether there is one.

@@ -20,7 +20,7 @@ std::vector<Sphere> triangle(double radius) { // equilateral, side 1
 }
 
 double open(const std::vector<Sphere>& spheres, const std::array<Vertex, 3>& vertices = {0, 1, 2}) {
-  return measure_plane(box, spheres, vertices).fluid_area();
+  return measure_plane(box, spheres, vertices).fluid_area;
 }
 
 /// Midpoints of a grid over the facet: a triangle, or what is between its spheres and walls.
