@@ -5,8 +5,15 @@
 
 namespace studies {
 
+/// What the ratios are to reach: dry steps over those of LIGGGHTS, coupled ones over those of YADE, simulated time of
+/// semi-implicit over explicit steps.
+struct SpeedBounds {
+  double dry = 1, coupled = 4, scheme = 5;
+};
+
 /// Steps per CPU second, each against a peer in the same run.
 struct Speed {
+  SpeedBounds bounds;
   std::vector<DrySpeed> dry;
   CoupledSpeed coupled;
   SchemeSpeed scheme;

@@ -8,9 +8,6 @@
 namespace studies {
 namespace {
 
-// What is to be reached: as fast as LIGGGHTS, four times the steps of YADE, five times the simulated time.
-constexpr double dry_bound = 1, coupled_bound = 4, scheme_bound = 5;
-
 /// Ratio of medians, with the least and the most over the turns.
 struct Ratio {
   double median = 0, least = 0, most = 0;
@@ -102,12 +99,13 @@ std::vector<Expectation> expectations_of(const Speed& speed) {
     if (one.theirs)
       dry = std::min(dry.value_or(1e300), ratio(*one.theirs, one.ours).median);
   if (dry)
-    list.push_back(at_least("dry steps per CPU second over those of LIGGGHTS, the least of all", *dry, dry_bound));
+    list.push_back(
+        at_least("dry steps per CPU second over those of LIGGGHTS, the least of all", *dry, speed.bounds.dry));
   if (speed.coupled.theirs)
     list.push_back(at_least("steps of the coupled oedometer per CPU second over those of YADE",
-                            ratio(*speed.coupled.theirs, speed.coupled.ours).median, coupled_bound));
+                            ratio(*speed.coupled.theirs, speed.coupled.ours).median, speed.bounds.coupled));
   list.push_back(
-      at_least("simulated time per CPU second, semi-implicit over explicit", speed.scheme.gain(), scheme_bound));
+      at_least("simulated time per CPU second, semi-implicit over explicit", speed.scheme.gain(), speed.bounds.scheme));
   return list;
 }
 
