@@ -34,6 +34,11 @@ struct RunOptions {
   bool json = false;
 };
 
+bool is_fault(const Study& study, const Row& row) {
+  const auto method = std::ranges::find(study.methods, row.method, &StudyMethod::name);
+  return row.status == Status::failed && (method == study.methods.end() || !method->may_fail);
+}
+
 int run_one(RunOptions options) {
   if (const Experiment* experiment = experiment_named(options.name)) {
     if (!options.scope.methods.empty() || options.settings.retry_failed || options.json || options.cpu_budget ||
@@ -60,7 +65,7 @@ int run_one(RunOptions options) {
     rows = run_study(study, options.scope, options.settings, progress.onlooker());
   }
   conclude(study, options.scope, rows, work.answers(), work.root, options.json);
-  return std::ranges::count(rows, Status::failed, &Row::status) > 0 ? 1 : 0;
+  return std::ranges::any_of(rows, [&](const Row& row) { return is_fault(study, row); }) ? 1 : 0;
 }
 
 /// One after the other, each in its own work folder. One that cannot be run does not keep the others from it.

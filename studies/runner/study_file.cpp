@@ -67,14 +67,22 @@ int as_ranks(const toml::node& node, const std::string& method) {
   return static_cast<int>(*ranks);
 }
 
+bool as_flag(const toml::node& node, std::string_view key) {
+  const auto flag = node.value_exact<bool>();
+  if (!flag)
+    fail_at(node, fmt::format("{} \"{}\" must be true or false", key, pfv::quote(node)));
+  return *flag;
+}
+
 StudyMethod read_method(const toml::node& node) {
   const toml::table& table = pfv::as_table(node, "method");
-  pfv::allow_keys(table, "[[method]]", {"name", "mesh_sizes", "quick_mesh_sizes", "ranks"});
+  pfv::allow_keys(table, "[[method]]", {"name", "mesh_sizes", "quick_mesh_sizes", "ranks", "may_fail"});
   StudyMethod method{as_method(pfv::required(table, "[[method]]", "name")), {1.4, 1.0}, {2.0, 1.4}};
   if_present(table, "mesh_sizes", [&](auto& sizes) { method.mesh_sizes = as_mesh_sizes(sizes, "mesh_sizes"); });
   if_present(table, "quick_mesh_sizes",
              [&](auto& sizes) { method.quick_mesh_sizes = as_mesh_sizes(sizes, "quick_mesh_sizes"); });
   if_present(table, "ranks", [&](auto& ranks) { method.ranks = as_ranks(ranks, method.name); });
+  if_present(table, "may_fail", [&](auto& flag) { method.may_fail = as_flag(flag, "may_fail"); });
   return method;
 }
 
@@ -105,12 +113,7 @@ Study read_study(const std::filesystem::path& file) {
   if_present(root, "tolerance",
              [&](auto& node) { study.tolerance = read_tolerance(pfv::as_table(node, "tolerance")); });
 
-  if_present(root, "samples", [&](auto& node) {
-    const auto flag = node.template value_exact<bool>();
-    if (!flag)
-      fail_at(node, fmt::format("samples \"{}\" must be true or false", pfv::quote(node)));
-    study.samples = *flag;
-  });
+  if_present(root, "samples", [&](auto& node) { study.samples = as_flag(node, "samples"); });
   if_present(root, "places", [&](auto& node) {
     study.places = as_places(node);
     study.samples = true;

@@ -38,6 +38,7 @@ struct StudyMethod {
   std::vector<double> mesh_sizes;       // coarse to fine
   std::vector<double> quick_mesh_sizes; // coarse to fine
   int ranks = 1;                        // processes that share a run, by MPI
+  bool may_fail = false;                // a peer whose failures are a finding, and not ours
 };
 
 /// Asks for tables of how cost grows with the number of spheres.

@@ -122,6 +122,14 @@ TEST_F(Damage, ADiskWithoutRoomForRowsStopsTheStudy) {
   EXPECT_EQ(rows().size(), 4U);
 }
 
+TEST_F(Damage, APeerThatMayFailIsToldAndNoFault) {
+  std::string text = study_text;
+  folder_.write("study.toml", text.insert(text.find("mesh_sizes"), "may_fail = true\n"));
+  const StudyOutput output = run({"--quick"}, {{"PFV_EXACT", "litter"}});
+  EXPECT_EQ(output.exit_code, 0);
+  EXPECT_NE(output.out.find("failed: one exact"), std::string::npos) << output.out;
+}
+
 TEST_F(Damage, WhatAKilledRunLeavesInItsTemporaryFolderIsRemoved) {
   EXPECT_EQ(run({"--quick"}, {{"PFV_EXACT", "litter"}}).exit_code, 1);
   EXPECT_FALSE(std::filesystem::exists(work() / "tmp") && !std::filesystem::is_empty(work() / "tmp"));
