@@ -29,8 +29,8 @@ struct RunOrder {
 /// A run shorter than `enough_seconds` of wall time is repeated, each time in a fresh process, until it took that long
 /// or `enough_repeats` are done; the one with the median CPU seconds is kept, its answer too.
 struct Repetition {
-  int enough_repeats = 3;
-  double enough_seconds = 2;
+  int enough_repeats = 5;
+  double enough_seconds = 3;
 };
 
 /// What came of it: status, message, answer's scalars and cost. Identity and provenance are for the caller to fill in.
