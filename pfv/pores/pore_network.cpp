@@ -104,6 +104,7 @@ PoreNetwork build_pore_network(const Packing& packing, const PeriodicAxes& perio
   if (openings) {
     network.throats.area.resize(network.throats.size());
     network.throats.gap.resize(network.throats.size());
+    network.throats.contrast.resize(network.throats.size());
   }
   set_pore_centres(network);
   measure(network);

@@ -2,6 +2,7 @@
 
 #include "pfv/pores/bipyramid_block.hpp"
 #include "pfv/pores/facet.hpp"
+#include "pfv/pores/power_centre.hpp"
 #include "pfv/pores/throat_planes.hpp"
 
 #include <algorithm>
@@ -41,7 +42,10 @@ public:
       }
       if (!network_.throats.gap.empty()) {
         facets.measure_gaps();
-        std::copy_n(facets.gap.begin(), count, network_.throats.gap.begin() + static_cast<std::ptrdiff_t>(first));
+        bipyramids.measure_contrasts(facets);
+        const auto place = static_cast<std::ptrdiff_t>(first);
+        std::copy_n(facets.gap.begin(), count, network_.throats.gap.begin() + place);
+        std::copy_n(bipyramids.contrast.begin(), count, network_.throats.contrast.begin() + place);
       }
     }
   }
@@ -50,7 +54,7 @@ public:
     for (std::size_t t = network_.throats.interior; t < network_.throats.size(); ++t) {
       one_by_one(t);
       if (!network_.throats.gap.empty())
-        network_.throats.gap[t] = smallest_gap(network_.walls, network_.sites.spheres, network_.corners(t));
+        openings_one_by_one(t);
     }
   }
 
@@ -94,6 +98,15 @@ private:
   void one_by_one(std::size_t t) {
     store(t, measure_throat(network_.walls, network_.sites.spheres, network_.corners(t),
                             network_.pores.centre[network_.throats.pores[t][0]], network_.centre_ahead(t)));
+  }
+
+  void openings_one_by_one(std::size_t t) {
+    const auto& spheres = network_.sites.spheres;
+    const auto corners = network_.corners(t);
+    network_.throats.gap[t] = smallest_gap(network_.walls, spheres, corners);
+    const Vertex sphere = *std::ranges::find_if_not(corners, is_wall);
+    network_.throats.contrast[t] =
+        pore_contrast(spheres[sphere], network_.pores.centre[network_.throats.pores[t][0]], network_.centre_ahead(t));
   }
 
   void store(std::size_t t, const ThroatMeasures& measures) {
