@@ -88,7 +88,22 @@ PFV_VECTORISED void measure_void(BipyramidBlock& block) {
     block.void_volume[t] = block.behind.void_volume[t] + block.ahead.void_volume[t];
 }
 
+PFV_VECTORISED void measure_pore_contrasts(const FacetBlock& facets, BipyramidBlock& block) {
+  for (int t = 0; t < FacetBlock::width; ++t) {
+    const Vector centre = at(facets.corners[0], t);
+    const Vector to_behind = at(block.behind, t) - centre, to_ahead = at(block.ahead, t) - centre;
+    const double square = facets.corners[0].radius[t] * facets.corners[0].radius[t];
+    const double one = dot(to_behind, to_behind) - square, other = dot(to_ahead, to_ahead) - square;
+    const double sum = std::abs(one) + std::abs(other);
+    block.contrast[t] = std::abs(one - other) / (sum > 0 ? sum : 1);
+  }
+}
+
 } // namespace
+
+void BipyramidBlock::measure_contrasts(const FacetBlock& facets) {
+  measure_pore_contrasts(facets, *this);
+}
 
 void BipyramidBlock::measure(const FacetBlock& facets) {
   measure_sectors(facets, *this);

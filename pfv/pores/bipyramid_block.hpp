@@ -19,9 +19,11 @@ struct BipyramidBlock {
   Lane void_volume;           // m^3, Theta
   std::array<Lane, 3> wetted; // m^2, gamma by corner
   std::array<Lane, 3> ball;   // m^3, of the sphere at each corner
+  Lane contrast;              // see pore_contrast
 
-  /// From measured facets and the centres, everything else.
+  /// From measured facets and the centres, everything else but contrasts.
   void measure(const FacetBlock& facets);
+  void measure_contrasts(const FacetBlock& facets);
 };
 
 } // namespace pfv

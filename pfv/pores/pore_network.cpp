@@ -91,12 +91,12 @@ void PoreNetwork::Throats::make_room_for_shapes(bool openings) {
   for (auto* const shape : {&fluid_area, &length, &void_volume})
     shape->resize(size());
   if (openings)
-    for (auto* const opening : {&area, &gap})
+    for (auto* const opening : {&area, &gap, &contrast})
       opening->resize(size());
 }
 
 void PoreNetwork::Throats::forget_shapes() {
-  for (auto* const shape : {&fluid_area, &length, &void_volume, &area, &gap})
+  for (auto* const shape : {&fluid_area, &length, &void_volume, &area, &gap, &contrast})
     *shape = std::vector<double>();
 }
 

@@ -54,11 +54,13 @@ struct PoreNetwork {
     std::vector<double> length;            // m, l = (P_j - P_i).n
     std::vector<double> void_volume;       // m^3, Theta: of the bipyramid
     std::vector<std::array<double, 3>> wetted_surface; // m^2, gamma by vertex; a wall has its own
-    std::vector<double> area; // m^2, S: of the facet, solid included; empty unless openings were asked for
-    std::vector<double> gap;  // see smallest_gap; likewise
+    std::vector<double> area;     // m^2, S: of the facet, solid included; empty unless openings were asked for
+    std::vector<double> gap;      // see smallest_gap; likewise
+    std::vector<double> contrast; // see pore_contrast; likewise
 
     std::size_t size() const { return pores.size(); }
-    /// Room for what conductances are computed from, fluid_area to void_volume, and with openings area and gap.
+    /// Room for what conductances are computed from, fluid_area to void_volume, and with openings area, gap and
+    /// contrast.
     void make_room_for_shapes(bool openings);
     /// Frees that room.
     void forget_shapes();
@@ -95,8 +97,8 @@ struct PoreNetwork {
 /// Pores and throats of a packing. The faces across axes that are not periodic are in their exact limit as planes: a
 /// pore at a wall is a prism that ends on it and a throat through it half of the throat between the packing and its
 /// mirror image. Stages `triangulate` and `geometry`. With openings, which some conductance rules read, throats also
-/// have their area and gap. Throws SolveError when a pore is so flat that its centre is not finite, or when the
-/// triangulation of a periodic box does not repeat.
+/// have their area, gap and contrast. Throws SolveError when a pore is so flat that its centre is not finite, or when
+/// the triangulation of a periodic box does not repeat.
 PoreNetwork build_pore_network(const Packing& packing, const PeriodicAxes& periodic, Clock& clock,
                                bool openings = false);
 

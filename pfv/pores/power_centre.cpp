@@ -5,6 +5,8 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
+#include <cmath>
+
 namespace pfv {
 
 PowerCentre power_centre(const Box& box, std::span<const Sphere> spheres, const std::array<Vertex, 4>& vertices) {
@@ -44,6 +46,14 @@ PowerCentre power_centre(const Box& box, std::span<const Sphere> spheres, const 
       result.point += parts.matrixU().col(n).dot(distances) / parts.singularValues()[n] * parts.matrixV().col(n);
   result.normal = parts.matrixV().col(2);
   return result;
+}
+
+double pore_contrast(const Sphere& sphere, const Vec3& behind, const Vec3& ahead) {
+  const double square = sphere.radius * sphere.radius;
+  const double one = (behind - sphere.centre).squaredNorm() - square;
+  const double other = (ahead - sphere.centre).squaredNorm() - square;
+  const double sum = std::abs(one) + std::abs(other);
+  return sum > 0 ? std::abs(one - other) / sum : 0;
 }
 
 } // namespace pfv

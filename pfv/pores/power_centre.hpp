@@ -24,4 +24,9 @@ struct PowerCentre {
 /// At least one of the vertices must be a sphere.
 PowerCentre power_centre(const Box& box, std::span<const Sphere> spheres, const std::array<Vertex, 4>& vertices);
 
+/// How unlike the two pores of a throat are, from 0 to 1: |W_i - W_j| / (|W_i| + |W_j|), where W is the power of a
+/// pore's centre, the squared radius of the sphere around it that meets its four at right angles. Any sphere of the
+/// throat says the same.
+double pore_contrast(const Sphere& sphere, const Vec3& behind, const Vec3& ahead);
+
 } // namespace pfv

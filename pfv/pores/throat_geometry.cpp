@@ -2,6 +2,7 @@
 
 #include "pfv/pores/bipyramid_block.hpp"
 #include "pfv/pores/facet.hpp"
+#include "pfv/pores/power_centre.hpp"
 #include "pfv/pores/throat_planes.hpp"
 
 #include <algorithm>
@@ -39,7 +40,10 @@ public:
       }
       if (!network_.throats.gap.empty()) {
         facets.measure_gaps();
-        std::copy_n(facets.gap.begin(), count, network_.throats.gap.begin() + static_cast<std::ptrdiff_t>(first));
+        bipyramids.measure_contrasts(facets);
+        const auto place = static_cast<std::ptrdiff_t>(first);
+        std::copy_n(facets.gap.begin(), count, network_.throats.gap.begin() + place);
+        std::copy_n(bipyramids.contrast.begin(), count, network_.throats.contrast.begin() + place);
       }
     }
   }
@@ -48,7 +52,7 @@ public:
     for (std::size_t t = network_.throats.interior; t < network_.throats.size(); ++t) {
       one_by_one(t);
       if (!network_.throats.gap.empty())
-        network_.throats.gap[t] = smallest_gap(network_.walls, network_.sites.spheres, network_.corners(t));
+        openings_one_by_one(t);
     }
   }
 
@@ -114,6 +118,15 @@ private:
     return std::ranges::all_of(corners, [&](Vertex v) {
       return is_wall(v) || area > no_facet * std::pow(network_.sites.spheres[v].radius, 2);
     });
+  }
+
+  void openings_one_by_one(std::size_t t) {
+    const auto& spheres = network_.sites.spheres;
+    const auto corners = network_.corners(t);
+    network_.throats.gap[t] = smallest_gap(network_.walls, spheres, corners);
+    const Vertex sphere = *std::ranges::find_if_not(corners, is_wall);
+    network_.throats.contrast[t] =
+        pore_contrast(spheres[sphere], network_.pores.centre[network_.throats.pores[t][0]], network_.centre_ahead(t));
   }
 
   void store(std::size_t t, const std::array<Vertex, 3>& corners, const ThroatMeasures& measures) {

@@ -12,18 +12,24 @@ namespace studies {
 
 namespace {
 
-constexpr int constants = 3;
-constexpr double probe = 1e-3; // of a constant, either way
+constexpr int constants = static_cast<int>(fitted_constants.size());
+constexpr double probe = 1e-3; // of the rule's own constant, either way
 constexpr double settled = 1e-7;
 constexpr int most_steps = 20;
 
 using Constants = Eigen::Vector<double, constants>;
 
+Constants constants_of(const pfv::Calibrated& rule) {
+  Constants values;
+  for (int c = 0; c < constants; ++c)
+    values[c] = rule.*fitted_constants[c].value;
+  return values;
+}
+
 pfv::Calibrated rule_with(const Constants& values) {
   pfv::Calibrated rule;
-  rule.openness = values[0];
-  rule.length = values[1];
-  rule.gap = values[2];
+  for (int c = 0; c < constants; ++c)
+    rule.*fitted_constants[c].value = values[c];
   return rule;
 }
 
@@ -43,13 +49,14 @@ struct Linearised {
 
 Linearised linearise(std::span<const KnownPermeability> packings, const Constants& values) {
   const auto count = static_cast<Eigen::Index>(packings.size());
+  const Constants step = probe * constants_of({});
   Linearised result{Eigen::VectorXd(count), Eigen::Matrix<double, Eigen::Dynamic, constants>(count, constants)};
   for (Eigen::Index n = 0; n < count; ++n) {
     const auto& known = packings[static_cast<std::size_t>(n)];
     result.difference[n] = difference(known, values);
     for (int c = 0; c < constants; ++c) {
-      const Constants away = probe * Constants::Unit(c);
-      result.slope(n, c) = (difference(known, values + away) - difference(known, values - away)) / (2 * probe);
+      const Constants away = step[c] * Constants::Unit(c);
+      result.slope(n, c) = (difference(known, values + away) - difference(known, values - away)) / (2 * step[c]);
     }
   }
   return result;
@@ -60,8 +67,7 @@ Linearised linearise(std::span<const KnownPermeability> packings, const Constant
 Calibration calibrate(std::span<const KnownPermeability> packings) {
   if (packings.size() <= constants)
     throw pfv::InputError(fmt::format("{} packings: a fit of {} constants needs more", packings.size(), constants));
-  const pfv::Calibrated start;
-  Constants values{start.openness, start.length, start.gap};
+  Constants values = constants_of({});
   Linearised at = linearise(packings, values);
   for (int step = 0;; ++step) {
     const Constants change = -at.slope.colPivHouseholderQr().solve(at.difference);
@@ -72,7 +78,7 @@ Calibration calibrate(std::span<const KnownPermeability> packings) {
     values += change;
     at = linearise(packings, values);
   }
-  const Eigen::Matrix3d inverse = (at.slope.transpose() * at.slope).inverse();
+  const Eigen::Matrix<double, constants, constants> inverse = (at.slope.transpose() * at.slope).inverse();
   const double variance = at.difference.squaredNorm() / static_cast<double>(packings.size() - constants);
   Calibration result{.rule = rule_with(values), .standard_error = {}, .difference = {}, .left_out = {}};
   for (int c = 0; c < constants; ++c)

@@ -80,16 +80,14 @@ void calibrate_command(const std::string& name) {
   write_file(to, table);
 
   fmt::print("{:<22}  {}\n", "packings", known.size());
-  const auto [openness, length, gap] = fit.standard_error;
   std::string whole = to_csv({"quantity", "value", "standard_error"});
   const auto add = [&](const std::string& quantity, double value, std::optional<double> error = std::nullopt) {
     const std::string bar = error ? fmt::format("{:.4f}", *error) : "";
     whole += to_csv({quantity, fmt::format("{:.4f}", value), bar});
     fmt::print("{:<22}  {:.4f}{}\n", quantity, value, error ? " +- " + bar : "");
   };
-  add("openness", fit.rule.openness, openness);
-  add("length", fit.rule.length, length);
-  add("gap", fit.rule.gap, gap);
+  for (std::size_t c = 0; c < fitted_constants.size(); ++c)
+    add(std::string(fitted_constants[c].name), fit.rule.*fitted_constants[c].value, fit.standard_error[c]);
   add("ln_ratio_rms_fitted", rms(fit.difference));
   add("ln_ratio_rms_left_out", rms(fit.left_out));
   add("ln_ratio_nine_in_ten", bound(fit.left_out));

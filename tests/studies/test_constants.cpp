@@ -31,11 +31,13 @@ TEST(Calibrated, HasTheConstantsThatTheCommittedDataGive) {
   fs::copy(committed / "results" / "permeabilities.csv", copy / "results");
   const StudyOutput output = study({"calibrate", copy.string()});
   ASSERT_EQ(output.exit_code, 0) << output.err;
-  EXPECT_EQ(printed(output.out, "packings"), 52);
+  EXPECT_EQ(printed(output.out, "packings"), 71);
   constexpr pfv::Calibrated rule; // a tenth of the standard errors
-  EXPECT_NEAR(printed(output.out, "openness"), rule.openness, 0.01);
-  EXPECT_NEAR(printed(output.out, "length"), rule.length, 0.004);
+  EXPECT_NEAR(printed(output.out, "openness"), rule.openness, 0.005);
+  EXPECT_NEAR(printed(output.out, "length"), rule.length, 0.002);
   EXPECT_NEAR(printed(output.out, "gap"), rule.gap, 0.004);
+  EXPECT_NEAR(printed(output.out, "half_gap"), rule.half_gap, 0.002);
+  EXPECT_NEAR(printed(output.out, "contrast"), rule.contrast, 0.01);
 }
 
 } // namespace

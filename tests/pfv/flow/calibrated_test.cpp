@@ -36,9 +36,15 @@ TEST(Calibrated, IsWithinTwelvePercentOnLooseLattices) {
   EXPECT_NEAR(over_stokes(Lattice::fcc, .6, 107.65), 1, .12);
 }
 
-TEST(Calibrated, IsThePapersRuleInATightThroat) {
-  const ThroatShape throat{.fluid_area = 1, .void_volume = 3, .wetted_surface = 20, .length = 2};
-  EXPECT_DOUBLE_EQ(Calibrated{}(throat, 1), HydraulicRadius{}(throat, 1));
+TEST(Calibrated, IsThePapersRuleInATightThroatBetweenLikePores) {
+  double last = 1;
+  for (const double area : {1e2, 1e4, 1e6, 1e8}) {
+    const ThroatShape throat{.fluid_area = 1, .void_volume = 3, .wetted_surface = 20, .length = 2, .area = area};
+    const double off = std::abs(Calibrated{}(throat, 1) / HydraulicRadius{}(throat, 1) - 1);
+    EXPECT_LT(off, .05 * last);
+    last = off;
+  }
+  EXPECT_LT(last, 1e-7);
 }
 
 TEST(Calibrated, ConductsMoreTheNearerTwoPoresAre) {
@@ -48,8 +54,9 @@ TEST(Calibrated, ConductsMoreTheNearerTwoPoresAre) {
                              .void_volume = length,
                              .wetted_surface = 4 * length,
                              .length = length,
-                             .openness = .4,
-                             .gap = .2};
+                             .area = 4,
+                             .gap = .2,
+                             .contrast = .5 * length / (1 + length)};
     const double conductance = Calibrated{}(throat, 1);
     EXPECT_GT(conductance, last);
     last = conductance;
@@ -66,6 +73,30 @@ TEST(Calibrated, DoesNotMindHowALatticeIsCut) {
     cell.faces = flow_along(Axis::z, 1.0, all, cell.packing.box);
     EXPECT_NEAR(*solved(cell, calibrated).permeability / between_walls, 1, 1e-9);
   }
+}
+
+/// Where spheres change partners a throat of no length turns around, and those that stay keep what they conduct.
+TEST(Calibrated, HasNoJumpWhereTheTriangulationChanges) {
+  Packing packing = random_packing({.spheres = 20, .solid_fraction = .45, .radius_ratio = 1.5, .seed = 3});
+  const Vec3 start = packing.spheres[7].centre;
+  const auto flow_at = [&](double moved) {
+    packing.spheres[7].centre = start + moved * packing.spheres[7].radius * Vec3(.2, .3, -.1);
+    return solved(flow_through(packing), calibrated);
+  };
+  int changes = 0;
+  for (double from = 0; from < 1; from += .05) {
+    double low = from, high = from + .05;
+    const std::size_t pores = flow_at(low).network.pores.size();
+    if (flow_at(high).network.pores.size() == pores)
+      continue;
+    while (high - low > 1e-9) {
+      const double middle = (low + high) / 2;
+      (flow_at(middle).network.pores.size() == pores ? low : high) = middle;
+    }
+    EXPECT_NEAR(*flow_at(low).permeability / *flow_at(high).permeability, 1, 1e-5) << "at " << low;
+    ++changes;
+  }
+  EXPECT_GT(changes, 2);
 }
 
 TEST(Calibrated, DoesNotMindPlaceNumbersOrUnits) {

@@ -52,7 +52,7 @@ TEST(FollowedFlow, NeedsNoShapesOnceThereAreConductances) {
     FollowedFlow forgets(problem, {.conductance = rule, .keep_shapes = false}, clock);
     const auto& throats = forgets.flow().network.throats;
     EXPECT_EQ(throats.fluid_area.capacity() + throats.length.capacity() + throats.void_volume.capacity() +
-                  throats.area.capacity() + throats.gap.capacity(),
+                  throats.area.capacity() + throats.gap.capacity() + throats.contrast.capacity(),
               0u);
     for (int step = 0; step < 2; ++step) {
       EXPECT_EQ(forgets.flow().permeability, keeps.flow().permeability);

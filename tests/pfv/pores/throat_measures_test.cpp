@@ -3,6 +3,7 @@
 
 #include "pfv/pores/facet.hpp"
 #include "pfv/pores/pore_network.hpp"
+#include "pfv/pores/power_centre.hpp"
 #include "pfv/pores/throat_planes.hpp"
 #include "pfv/problem/generate.hpp"
 #include "support/packings.hpp"
@@ -31,7 +32,7 @@ Packing grown(double growth, double ratio) {
 
 TEST(ThroatMeasures, HaveOpeningsWhenAskedTheSameInBlocks) {
   const PoreNetwork without = network_of(packing_from("g200.txt"));
-  EXPECT_TRUE(without.throats.area.empty() && without.throats.gap.empty());
+  EXPECT_TRUE(without.throats.area.empty() && without.throats.gap.empty() && without.throats.contrast.empty());
   for (const Packing& packing : {packing_from("g200.txt"), grown(1.1, 1.5), grown(1, 20)}) {
     const PoreNetwork network = network_of(packing, {}, true);
     const double side = packing.box.size().x();
@@ -41,6 +42,11 @@ TEST(ThroatMeasures, HaveOpeningsWhenAskedTheSameInBlocks) {
       EXPECT_NEAR(network.throats.area[t], one_by_one(network, t).plane.area, 1e-13 * side * side);
       EXPECT_NEAR(network.throats.gap[t], smallest_gap(network.walls, network.sites.spheres, corners), 1e-14);
       touching += network.throats.gap[t] == 0;
+      const auto [i, j] = network.throats.pores[t];
+      for (const Vertex v : corners) // any of its spheres
+        if (!is_wall(v))
+          EXPECT_NEAR(network.throats.contrast[t],
+                      pore_contrast(network.sites.spheres[v], network.pores.centre[i], network.pores.centre[j]), 1e-6);
     }
     EXPECT_LT(touching, network.throats.size());
   }
@@ -52,6 +58,14 @@ TEST(ThroatMeasures, HaveTheSmallestGapToAnotherSphereOrItsMirrorImage) {
   EXPECT_DOUBLE_EQ(smallest_gap(box, spheres, {0, 1, 2}), .25);                           // 4 - 1 - 2 of 4
   EXPECT_DOUBLE_EQ(smallest_gap(box, spheres, {0, 1, wall_vertex(Face::y_min)}), 1. / 3); // 3 - 2 of 3
   EXPECT_DOUBLE_EQ(smallest_gap(box, spheres, {1, 2, wall_vertex(Face::z_min)}), 0);      // the third touches it
+}
+
+TEST(ThroatMeasures, HaveTheContrastOfTheirPores) {
+  const Sphere sphere{Vec3(1, 0, 0), 3};
+  EXPECT_DOUBLE_EQ(pore_contrast(sphere, Vec3(6, 0, 0), Vec3(1, 5, 0)), 0);      // 16 of each
+  EXPECT_DOUBLE_EQ(pore_contrast(sphere, Vec3(6, 0, 0), Vec3(1, 5, 4)), 1. / 3); // 16 and 32
+  EXPECT_DOUBLE_EQ(pore_contrast(sphere, Vec3(4, 0, 0), Vec3(1, 3, 0)), 0);      // none of either
+  EXPECT_DOUBLE_EQ(pore_contrast(sphere, Vec3(2, 0, 0), Vec3(6, 0, 0)), 1);      // one inside a sphere
 }
 
 TEST(ThroatMeasures, AreTheSameInBlocks) {
