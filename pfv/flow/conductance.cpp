@@ -38,7 +38,7 @@ template <typename Rule>
 ThroatShape shape(const PoreNetwork::Throats& throats, std::size_t t, double wetted_surface) {
   ThroatShape throat{throats.fluid_area[t], throats.void_volume[t], wetted_surface, throats.length[t]};
   if constexpr (Rule::reads_openings) {
-    throat.area = throats.area[t];
+    throat.openness = throat.fluid_area / throats.area[t];
     throat.gap = throats.gap[t];
     throat.contrast = throats.contrast[t];
   }

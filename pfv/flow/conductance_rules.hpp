@@ -2,6 +2,7 @@
 
 #include "pfv/pores/lanes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 #include <variant>
@@ -14,7 +15,7 @@ struct ThroatShape {
   double void_volume;    // m^3, Theta: between the facet and the centres of its two pores
   double wetted_surface; // m^2, gamma: in there
   double length;         // m, l: distance of the centres
-  double area = 0;       // m^2, S: of its whole facet; 0 for a rule that does not read openings
+  double openness = 0;   // S_f / S; 0 for a rule that does not read openings
   double gap = 0;        // see smallest_gap; likewise
   double contrast = 0;   // see pore_contrast; likewise
 
@@ -86,11 +87,11 @@ struct Calibrated {
   static constexpr double permeability_error = 0.05; // relative, within that range: see permeability_error.hpp
 
   double operator()(const ThroatShape& throat, double viscosity) const {
-    const double whole = throat.area * throat.length, along = throat.length * throat.wetted_surface;
-    const double solid = whole > 3 * throat.void_volume ? whole - 3 * throat.void_volume : 0;
-    const double s = throat.fluid_area / throat.area, mean = throat.void_volume / whole;
+    const double s = throat.openness, open = throat.fluid_area * throat.length;
+    const double mean = s * throat.void_volume / open, solid = std::max(open - 3 * s * throat.void_volume, 0.0);
+    const double along = throat.length * throat.wetted_surface;
     const double power = length * s - gap * throat.gap / (throat.gap + half_gap);
-    const double widening = throat.contrast * (along - solid) / (along + solid);
+    const double widening = throat.contrast * (s * along - solid) / (s * along + solid);
     const double exponent =
         power * lanes::log(along / throat.void_volume) - openness * (s - mean) - contrast * widening;
     return lanes::exp(exponent) * HydraulicRadius{alpha}(throat, viscosity);
@@ -99,7 +100,7 @@ struct Calibrated {
 
 using Conductance = std::variant<HydraulicRadius, MixedArea, Calibrated>;
 
-/// Whether a rule reads the area, the gap and the contrast of throats.
+/// Whether a rule reads the openness, the gap and the contrast of throats.
 inline bool reads_openings(const Conductance& rule) {
   return std::visit([](const auto& chosen) { return chosen.reads_openings; }, rule);
 }

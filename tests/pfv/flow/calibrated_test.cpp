@@ -28,23 +28,24 @@ TEST(Calibrated, IsWithinSixPercentOfStokesFlowOnTouchingLattices) {
   EXPECT_NEAR(over_stokes(Lattice::fcc, touching_solid_fraction(Lattice::fcc), 432.12), 1, .06);
 }
 
-TEST(Calibrated, IsWithinTwelvePercentOnLooseLattices) {
-  EXPECT_NEAR(over_stokes(Lattice::simple_cubic, .45, 28.0864), 1, .12);
-  EXPECT_NEAR(over_stokes(Lattice::bcc, .45, 31.6882), 1, .12);
-  EXPECT_NEAR(over_stokes(Lattice::fcc, .45, 33.4898), 1, .12);
-  EXPECT_NEAR(over_stokes(Lattice::bcc, .6, 88.874), 1, .12);
-  EXPECT_NEAR(over_stokes(Lattice::fcc, .6, 107.65), 1, .12);
+TEST(Calibrated, IsWithinSixPercentOnLooseLattices) {
+  EXPECT_NEAR(over_stokes(Lattice::simple_cubic, .45, 28.0864), 1, .06);
+  EXPECT_NEAR(over_stokes(Lattice::bcc, .45, 31.6882), 1, .06);
+  EXPECT_NEAR(over_stokes(Lattice::fcc, .45, 33.4898), 1, .06);
+  EXPECT_NEAR(over_stokes(Lattice::bcc, .6, 88.874), 1, .06);
+  EXPECT_NEAR(over_stokes(Lattice::fcc, .6, 107.65), 1, .06);
 }
 
-TEST(Calibrated, IsThePapersRuleInATightThroatBetweenLikePores) {
+TEST(Calibrated, IsThePapersRuleInATightThroat) {
+  ThroatShape throat{.fluid_area = 1, .void_volume = 3, .wetted_surface = 20, .length = 2};
+  EXPECT_DOUBLE_EQ(Calibrated{}(throat, 1), HydraulicRadius{}(throat, 1));
   double last = 1;
-  for (const double area : {1e2, 1e4, 1e6, 1e8}) {
-    const ThroatShape throat{.fluid_area = 1, .void_volume = 3, .wetted_surface = 20, .length = 2, .area = area};
+  for (const double openness : {1e-2, 1e-3, 1e-4, 1e-5}) {
+    throat.openness = openness;
     const double off = std::abs(Calibrated{}(throat, 1) / HydraulicRadius{}(throat, 1) - 1);
-    EXPECT_LT(off, .05 * last);
+    EXPECT_LT(off, .2 * last);
     last = off;
   }
-  EXPECT_LT(last, 1e-7);
 }
 
 TEST(Calibrated, ConductsMoreTheNearerTwoPoresAre) {
@@ -54,7 +55,7 @@ TEST(Calibrated, ConductsMoreTheNearerTwoPoresAre) {
                              .void_volume = length,
                              .wetted_surface = 4 * length,
                              .length = length,
-                             .area = 4,
+                             .openness = .25,
                              .gap = .2,
                              .contrast = .5 * length / (1 + length)};
     const double conductance = Calibrated{}(throat, 1);
@@ -77,23 +78,27 @@ TEST(Calibrated, DoesNotMindHowALatticeIsCut) {
 
 /// Where spheres change partners a throat of no length turns around, and those that stay keep what they conduct.
 TEST(Calibrated, HasNoJumpWhereTheTriangulationChanges) {
-  Packing packing = random_packing({.spheres = 20, .solid_fraction = .45, .radius_ratio = 1.5, .seed = 3});
-  const Vec3 start = packing.spheres[7].centre;
-  const auto flow_at = [&](double moved) {
-    packing.spheres[7].centre = start + moved * packing.spheres[7].radius * Vec3(.2, .3, -.1);
+  const Packing start = random_packing({.spheres = 60, .solid_fraction = .45, .radius_ratio = 1.5, .seed = 3});
+  const auto flow_at = [&](double stirred) {
+    Packing packing = start;
+    for (std::size_t k = 0; k < packing.spheres.size(); ++k) {
+      const double angle = static_cast<double>(k * k);
+      const Vec3 aside(std::cos(angle), std::sin(angle), std::sin(2 * angle));
+      packing.spheres[k].centre += stirred * packing.spheres[k].radius * aside;
+    }
     return solved(flow_through(packing), calibrated);
   };
   int changes = 0;
-  for (double from = 0; from < 1; from += .05) {
-    double low = from, high = from + .05;
+  for (double from = 0; from < .3; from += .01) {
+    double low = from, high = from + .01;
     const std::size_t pores = flow_at(low).network.pores.size();
     if (flow_at(high).network.pores.size() == pores)
       continue;
-    while (high - low > 1e-9) {
+    while (high - low > 1e-10) {
       const double middle = (low + high) / 2;
       (flow_at(middle).network.pores.size() == pores ? low : high) = middle;
     }
-    EXPECT_NEAR(*flow_at(low).permeability / *flow_at(high).permeability, 1, 1e-5) << "at " << low;
+    EXPECT_NEAR(*flow_at(low).permeability / *flow_at(high).permeability, 1, 1e-6) << "at " << low;
     ++changes;
   }
   EXPECT_GT(changes, 2);
