@@ -12,7 +12,7 @@ namespace {
 KnownPermeability by_rule(const pfv::Calibrated& rule, std::uint64_t seed) {
   KnownPermeability known{.id = "cell", .problem = {}, .permeability = 0, .error = 0};
   known.problem.packing = pfv::random_packing(
-      {.spheres = 20, .solid_fraction = 0.34 + 0.02 * static_cast<double>(seed), .radius_ratio = 1.5, .seed = seed});
+      {.spheres = 20, .solid_fraction = 0.26 + 0.02 * static_cast<double>(seed), .radius_ratio = 1.5, .seed = seed});
   known.problem.faces = pfv::flow_along(pfv::Axis::z);
   pfv::FlowOptions options;
   options.conductance = rule;
