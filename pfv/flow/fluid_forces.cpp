@@ -1,5 +1,6 @@
 #include "pfv/flow/fluid_forces.hpp"
 
+#include "pfv/flow/fluid_parts.hpp"
 #include "pfv/flow/fluxes.hpp"
 #include "pfv/pores/throat_planes.hpp"
 
@@ -7,11 +8,6 @@
 
 namespace pfv {
 namespace {
-
-/// What the vertices of a throat share its fluid area by: wetted surface, or disc sector where that is not positive.
-const std::array<double, 3>& sharing(const std::array<double, 3>& wetted, const std::array<double, 3>& sector) {
-  return wetted[0] + wetted[1] + wetted[2] > 0 ? wetted : sector;
-}
 
 void clear(std::vector<Vec3>& vectors, std::size_t count) {
   vectors.resize(count);
@@ -28,24 +24,17 @@ void update(FluidForces& forces, const PoreNetwork& network, const FlowSystem& s
   forces.on_face.fill(Vec3::Zero());
   const double wall_share = std::visit([](const auto& rule) -> double { return rule.surface; }, walls);
 
-  const auto& throats = network.throats;
   visit_planes(network, [&](std::size_t t, const ThroatPlane& plane) {
     const Vec3 step = pressure_drop(network, system, pressure, t) * plane.normal;
     const auto corners = network.corners(t);
-    std::array<double, 3> wetted = throats.wetted_surface[t];
-    for (int c = 0; c < 3; ++c)
-      if (is_wall(corners[c]))
-        wetted[c] *= wall_share;
-    const auto& share = sharing(wetted, plane.sector);
-    const double whole = share[0] + share[1] + share[2];
-    const Vec3 viscous = whole > 0 ? Vec3(plane.fluid_area / whole * step) : Vec3(Vec3::Zero());
+    const auto part = fluid_parts(network, t, corners, plane, wall_share);
     for (int c = 0; c < 3; ++c) {
       if (is_wall(corners[c])) {
-        forces.on_face[index(face_of(corners[c]))] += share[c] * viscous;
+        forces.on_face[index(face_of(corners[c]))] += part[c] * step;
       } else {
         FluidForces::OfSite& site = of_sites[corners[c]];
         site.pressure += plane.sector[c] * step;
-        site.viscous += share[c] * viscous;
+        site.viscous += part[c] * step;
       }
     }
   });

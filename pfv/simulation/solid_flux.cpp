@@ -1,5 +1,6 @@
 #include "pfv/simulation/solid_flux.hpp"
 
+#include "pfv/flow/fluid_parts.hpp"
 #include "pfv/pores/throat_planes.hpp"
 
 #include <algorithm>
@@ -39,22 +40,6 @@ int corner_ahead(const PoreNetwork& network, std::size_t t, Vertex corner) {
   return static_cast<int>(std::ranges::find_if(vertices, is_it) - vertices.begin());
 }
 
-/// What the three corners take of the facet: all of it together.
-std::array<double, 3> shares(const PoreNetwork& network, std::size_t t, const ThroatPlane& plane, double wall_share) {
-  const auto corners = network.corners(t);
-  std::array<double, 3> wetted = network.throats.wetted_surface[t];
-  for (int c = 0; c < 3; ++c)
-    if (is_wall(corners[c]))
-      wetted[c] *= wall_share;
-  const auto sum = [](const auto& of) { return of[0] + of[1] + of[2]; };
-  const auto& by = sum(wetted) > 0 ? wetted : plane.sector;
-  const double total = sum(by);
-  std::array<double, 3> part = plane.sector;
-  for (int c = 0; c < 3 && total > 0; ++c)
-    part[c] += plane.fluid_area * by[c] / total;
-  return part;
-}
-
 } // namespace
 
 SolidFlux solid_flux(const PoreNetwork& network, const WallRule& walls) {
@@ -63,9 +48,9 @@ SolidFlux solid_flux(const PoreNetwork& network, const WallRule& walls) {
   visit_planes(network, [&](std::size_t t, const ThroatPlane& plane) {
     const auto [i, j] = network.throats.pores[t];
     const auto corners = network.corners(t);
-    const auto part = shares(network, t, plane, wall_share);
+    const auto fluid = fluid_parts(network, t, corners, plane, wall_share); // with the sectors all of the facet
     for (int c = 0; c < 3; ++c) {
-      const Vec3 area = part[c] * plane.normal;
+      const Vec3 area = (plane.sector[c] + fluid[c]) * plane.normal;
       flux.weight[i][corner_of(network.pores.vertices[i], corners[c])] += area;
       flux.weight[j][corner_ahead(network, t, corners[c])] -= area;
     }
