@@ -23,13 +23,15 @@ struct ThroatShape {
 };
 
 // A rule gives the conductance K (m^3/(Pa s)) of a throat for a fluid of some viscosity (Pa s). A further rule is one
-// more struct here and one more word in the variant.
+// more struct here and one more word in the variant. `shear_spread` is what goes with it in the viscous forces: the
+// share in shear_spread.hpp, 0 where each throat pushes its own spheres alone.
 
 /// K = alpha S_f R_h^2 / (mu l), R_h = Theta / gamma.
 struct HydraulicRadius {
   static constexpr std::string_view name = "hydraulic-radius";
   static constexpr std::string_view source = "Catalano et al. 2011, eqs. (5)-(7)";
   static constexpr bool reads_openings = false;
+  static constexpr double shear_spread = 0;
   double alpha = 0.5; // Hagen-Poiseuille in a circular tube
 
   double operator()(const ThroatShape& throat, double viscosity) const {
@@ -45,6 +47,7 @@ struct MixedArea {
   static constexpr std::string_view name = "mixed-area";
   static constexpr std::string_view source = "mean of S_f and Theta / l in Catalano et al. 2011, eq. (5)";
   static constexpr bool reads_openings = false;
+  static constexpr double shear_spread = 0;
   double alpha = 0.5; // Hagen-Poiseuille in a circular tube
 
   double operator()(const ThroatShape& throat, double viscosity) const {
@@ -82,6 +85,7 @@ struct Calibrated {
   double gap = 0.447;      // c_g
   double half_gap = 0.116; // g_h, the gap that does half of what any can
   double contrast = 1.352; // c_p
+  double shear_spread = 0.353;
 
   static constexpr double least_solid_fraction = 0.3, largest_solid_fraction = 0.75, largest_radius_ratio = 5;
   static constexpr double permeability_error = 0.05; // relative, within that range: see permeability_error.hpp
@@ -103,6 +107,11 @@ using Conductance = std::variant<HydraulicRadius, MixedArea, Calibrated>;
 /// Whether a rule reads the openness, the gap and the contrast of throats.
 inline bool reads_openings(const Conductance& rule) {
   return std::visit([](const auto& chosen) { return chosen.reads_openings; }, rule);
+}
+
+/// What goes with a rule in the viscous forces.
+inline double shear_spread(const Conductance& rule) {
+  return std::visit([](const auto& chosen) { return chosen.shear_spread; }, rule);
 }
 
 } // namespace pfv

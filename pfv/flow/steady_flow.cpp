@@ -108,7 +108,8 @@ double SteadyFlow::imbalance() const {
 }
 
 FollowedFlow::FollowedFlow(const Case& problem, const FlowOptions& options, Clock& clock)
-    : question_(problem), options_(options), solver_(make_solver(options.solver)) {
+    : question_(problem), options_(options), solver_(make_solver(options.solver)),
+      spread_shear_(shear_spread(options.conductance), problem.faces, options.walls) {
   validate_level(problem.faces, problem.pressure_points);
   constexpr std::size_t bytes_per_sphere = 2400; // of the heap at its fullest
   prefer_huge_pages(bytes_per_sphere * problem.packing.spheres.size());
@@ -182,6 +183,7 @@ void FollowedFlow::solve(Clock& clock) {
   flow_.permeability = permeability(question_, flow_);
   const auto timing = clock.stage("forces");
   update(flow_.forces, flow_.network, flow_.system, flow_.pressure, options_.walls, question_.buoyancy);
+  spread_shear_(flow_.network, flow_.forces);
 }
 
 SteadyFlow solve_steady_flow(const Case& problem, const FlowOptions& options, Clock& clock) {

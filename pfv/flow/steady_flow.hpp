@@ -5,6 +5,7 @@
 #include "pfv/flow/flow_options.hpp"
 #include "pfv/flow/flow_system.hpp"
 #include "pfv/flow/fluid_forces.hpp"
+#include "pfv/flow/shear_spread.hpp"
 #include "pfv/pores/pore_network.hpp"
 #include "pfv/problem/case.hpp"
 #include "pfv/solvers/flow_solver.hpp"
@@ -66,6 +67,7 @@ private:
   Conductances throats_; // room for the next ones
   std::unique_ptr<FlowSolver> solver_;
   Eigen::VectorXd solution_;
+  ShearSpread spread_shear_;
 };
 
 } // namespace pfv

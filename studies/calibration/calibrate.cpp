@@ -33,7 +33,7 @@ pfv::Calibrated rule_with(const Constants& values) {
   return rule;
 }
 
-double difference(const KnownPermeability& known, const Constants& values) {
+double difference(const KnownFlow& known, const Constants& values) {
   pfv::FlowOptions options;
   options.conductance = rule_with(values);
   options.solver = pfv::Cholmod{};
@@ -47,7 +47,7 @@ struct Linearised {
   Eigen::Matrix<double, Eigen::Dynamic, constants> slope;
 };
 
-Linearised linearise(std::span<const KnownPermeability> packings, const Constants& values) {
+Linearised linearise(std::span<const KnownFlow> packings, const Constants& values) {
   const auto count = static_cast<Eigen::Index>(packings.size());
   const Constants step = probe * constants_of({});
   Linearised result{Eigen::VectorXd(count), Eigen::Matrix<double, Eigen::Dynamic, constants>(count, constants)};
@@ -64,7 +64,7 @@ Linearised linearise(std::span<const KnownPermeability> packings, const Constant
 
 } // namespace
 
-Calibration calibrate(std::span<const KnownPermeability> packings) {
+Calibration calibrate(std::span<const KnownFlow> packings) {
   if (packings.size() <= constants)
     throw pfv::InputError(fmt::format("{} packings: a fit of {} constants needs more", packings.size(), constants));
   Constants values = constants_of({});

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "pfv/flow/conductance_rules.hpp"
-#include "pfv/problem/case.hpp"
+#include "studies/calibration/known_flow.hpp"
 
 #include <array>
 #include <span>
@@ -10,14 +10,6 @@
 #include <vector>
 
 namespace studies {
-
-/// A packing whose permeability is known.
-struct KnownPermeability {
-  std::string id;
-  pfv::Case problem;
-  double permeability; // m^2
-  double error;        // m^2
-};
 
 /// A constant of the rule `calibrated` that is fitted.
 struct FittedConstant {
@@ -42,6 +34,6 @@ struct Calibration {
 /// the rule's own constants. What a packing is off when it is left out is that of the problem linearised about the fit:
 /// its difference over one less its leverage. Throws pfv::InputError with no more packings than
 /// constants, and pfv::SolveError when it does not settle.
-Calibration calibrate(std::span<const KnownPermeability> packings);
+Calibration calibrate(std::span<const KnownFlow> packings);
 
 } // namespace studies

@@ -1,4 +1,5 @@
 #include "studies/calibration/calibrate.hpp"
+#include "studies/calibration/spread_fit.hpp"
 
 #include "pfv/flow/steady_flow.hpp"
 #include "pfv/problem/error.hpp"
@@ -9,15 +10,18 @@
 namespace studies {
 namespace {
 
-KnownPermeability by_rule(const pfv::Calibrated& rule, std::uint64_t seed) {
-  KnownPermeability known{.id = "cell", .problem = {}, .permeability = 0, .error = 0};
+KnownFlow by_rule(const pfv::Calibrated& rule, std::uint64_t seed) {
+  KnownFlow known{.id = "cell", .problem = {}, .permeability = 0, .error = 0, .force = {}};
   known.problem.packing = pfv::random_packing(
       {.spheres = 20, .solid_fraction = 0.26 + 0.02 * static_cast<double>(seed), .radius_ratio = 1.5, .seed = seed});
   known.problem.faces = pfv::flow_along(pfv::Axis::z);
   pfv::FlowOptions options;
   options.conductance = rule;
   pfv::Clock clock;
-  known.permeability = *solve_steady_flow(known.problem, options, clock).permeability;
+  const pfv::SteadyFlow flow = solve_steady_flow(known.problem, options, clock);
+  known.permeability = *flow.permeability;
+  for (std::size_t k = 0; k < flow.forces.pressure.size(); ++k)
+    known.force.push_back(flow.forces.of_flow(k));
   return known;
 }
 
@@ -28,7 +32,7 @@ TEST(Calibrate, FindsTheConstantsThatThePermeabilitiesWereMadeWith) {
   rule.gap = .5;
   rule.half_gap = .15;
   rule.contrast = 1;
-  std::vector<KnownPermeability> known;
+  std::vector<KnownFlow> known;
   for (std::uint64_t seed = 1; seed <= 10; ++seed)
     known.push_back(by_rule(rule, seed));
   const Calibration fit = calibrate(known);
@@ -39,7 +43,7 @@ TEST(Calibrate, FindsTheConstantsThatThePermeabilitiesWereMadeWith) {
 }
 
 TEST(Calibrate, WhatIsLeftOutIsFartherOff) {
-  std::vector<KnownPermeability> known;
+  std::vector<KnownFlow> known;
   for (std::uint64_t seed = 1; seed <= 10; ++seed)
     known.push_back(by_rule({}, seed));
   known[2].permeability *= 1.1;
@@ -51,8 +55,26 @@ TEST(Calibrate, WhatIsLeftOutIsFartherOff) {
 }
 
 TEST(Calibrate, NeedsMorePackingsThanConstants) {
-  const std::vector<KnownPermeability> as_many(fitted_constants.size(), by_rule({}, 1));
+  const std::vector<KnownFlow> as_many(fitted_constants.size(), by_rule({}, 1));
   EXPECT_THROW(calibrate(as_many), pfv::InputError);
+}
+
+TEST(SpreadFit, FindsTheShareThatTheForcesWereMadeWith) {
+  pfv::Calibrated rule;
+  rule.shear_spread = .2;
+  std::vector<KnownFlow> known;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed)
+    known.push_back(by_rule(rule, seed));
+  const SpreadFit fit = fit_shear_spread(known, {});
+  EXPECT_NEAR(fit.share, .2, 1e-9);
+  EXPECT_NEAR(fit.standard_error, 0, 1e-9);
+  for (std::size_t n = 0; n < known.size(); ++n) {
+    EXPECT_GT(fit.by_throat[n], .005);
+    EXPECT_NEAR(fit.left_out[n], 0, 1e-6);
+  }
+  known[0].force[0] *= 1.5;
+  EXPECT_GT(fit_shear_spread(known, {}).left_out[0], fit_shear_spread(known, {}).fitted[0]);
+  EXPECT_THROW(fit_shear_spread(std::span(known).first(1), {}), pfv::InputError);
 }
 
 } // namespace

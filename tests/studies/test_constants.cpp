@@ -28,7 +28,8 @@ TEST(Calibrated, HasTheConstantsThatTheCommittedDataGive) {
   fs::create_directories(copy / "results");
   fs::copy(committed / "study.toml", copy);
   fs::copy(committed / "packings", copy / "packings");
-  fs::copy(committed / "results" / "permeabilities.csv", copy / "results");
+  for (const char* file : {"permeabilities.csv", "forces.csv"})
+    fs::copy(committed / "results" / file, copy / "results");
   const StudyOutput output = study({"calibrate", copy.string()});
   ASSERT_EQ(output.exit_code, 0) << output.err;
   EXPECT_EQ(printed(output.out, "packings"), 71);
@@ -38,6 +39,7 @@ TEST(Calibrated, HasTheConstantsThatTheCommittedDataGive) {
   EXPECT_NEAR(printed(output.out, "gap"), rule.gap, 0.004);
   EXPECT_NEAR(printed(output.out, "half_gap"), rule.half_gap, 0.002);
   EXPECT_NEAR(printed(output.out, "contrast"), rule.contrast, 0.01);
+  EXPECT_NEAR(printed(output.out, "shear_spread"), rule.shear_spread, 0.002);
 }
 
 } // namespace
