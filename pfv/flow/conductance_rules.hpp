@@ -74,7 +74,7 @@ struct MixedArea {
 /// 0, where the centres coincide and d with them; square throats give the same however they are cut into triangles.
 ///
 /// Fitted with `study calibrate` to Stokes flow through the packings of studies/throat_data, which says how far off it
-/// is on each when it is fitted to all others; studies/laws has packings that it has not seen.
+/// is on each when it is fitted to all others, and so in its forces; studies/laws has packings that it has not seen.
 struct Calibrated {
   static constexpr std::string_view name = "calibrated";
   static constexpr std::string_view source = "hydraulic-radius, fitted to finite elements in studies/throat_data";

@@ -18,7 +18,7 @@ namespace pfv {
 /// sector A_k and its share of the fluid area by wetted surface, together S. Summed over the facets of pore i that is
 /// sum_c g_ic.v_c over its four vertices; the force on body k is sum g_ic p_i over the pores it is a vertex of. One
 /// matrix B does both, so the fluid can only take energy: v.F = - p.A p. In Catalano et al. 2011, eq. (4), dV_i/dt
-/// follows from the vertices alone; with the forces of eq. (9) that is not adjoint.
+/// follows from the vertices alone; with the forces of eq. (9) that is not adjoint. No rule's shear_spread acts here.
 struct SolidFlux {
   std::vector<std::array<Vec3, 4>> weight; // m^2, g by pore and vertex, out of the pore
   std::vector<std::array<int, 4>> body;    // by pore and vertex
