@@ -69,4 +69,11 @@ Packing packing_of(const Grains& grains) {
   return packing;
 }
 
+Packing packing_near(const Grains& grains, const Packing& before) {
+  Packing packing = packing_of(grains);
+  for (std::size_t k = 0; k < packing.spheres.size(); ++k)
+    packing.spheres[k].centre += image_offset(grains, before.spheres[k].centre, packing.spheres[k].centre);
+  return packing;
+}
+
 } // namespace pfv

@@ -61,4 +61,7 @@ Vec3 offset_into_box(const Box& box, const PeriodicAxes& periodic, const Vec3& p
 /// The packing as it is now, its spheres in the order of the one the grains came from, in the box along periodic axes.
 Packing packing_of(const Grains& grains);
 
+/// The same, each sphere in its image nearest to where it was before: one that left the box is outside of it.
+Packing packing_near(const Grains& grains, const Packing& before);
+
 } // namespace pfv

@@ -71,6 +71,7 @@ double share_of_held_pores(const SteadyFlow& flow, const Packing& after, Clock& 
 
 void measure_compressibility(const Oedometer& test, GrainCycle cycle, const SteadyFlow& flow, Layer& layer,
                              Clock& clock) {
+  const Packing before = packing_of(cycle.grains);
   double half = 0;
   for (std::size_t n = 1; n <= load_increments; ++n) {
     const double from = test.load * (n - 1.0) / load_increments, rise = test.load / load_increments;
@@ -85,7 +86,7 @@ void measure_compressibility(const Oedometer& test, GrainCycle cycle, const Stea
   }
   layer.final_settlement = layer.height - height(cycle);
   layer.nonlinearity = load_increments * half / layer.final_settlement - 1;
-  layer.share_of_ends = share_of_held_pores(flow, packing_of(cycle.grains), clock);
+  layer.share_of_ends = share_of_held_pores(flow, packing_near(cycle.grains, before), clock);
   layer.compressibility = (1 - layer.share_of_ends) * layer.final_settlement / (layer.drained_length() * test.load);
 }
 

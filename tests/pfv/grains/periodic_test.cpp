@@ -86,6 +86,18 @@ TEST(PeriodicGrains, GoOnBeyondTheBoxAndAreWrittenInsideIt) {
     }
 }
 
+TEST(PeriodicGrains, AreFollowedBeyondTheBox) {
+  Grains grains = grains_in(all_around, 40, 1);
+  const Vec3 moved(0.3, -0.2, 0.4);
+  for (Velocity& velocity : grains.velocity)
+    velocity.translation = moved;
+  const Packing before = packing_of(grains);
+  drift(grains, 1);
+  const Packing after = packing_near(grains, before);
+  for (std::size_t k = 0; k < after.spheres.size(); ++k)
+    EXPECT_LT((after.spheres[k].centre - before.spheres[k].centre - moved).norm(), 1e-12);
+}
+
 TEST(PeriodicGrains, NeedABoxInWhichNoPairTouchesTwice) {
   const Packing packing{{Vec3::Zero(), Vec3::Ones()}, {{{0.5, 0.5, 0.5}, 0.24}}};
   EXPECT_THROW(grains_of(packing, 1000, {true, false, false}), InputError);
