@@ -20,15 +20,13 @@ void MultigridLevel<Value>::follow(const MatrixView<Value>& matrix, double scale
   matrix_ = matrix;
   scale_ = static_cast<Value>(scale);
   for (int i = 0; i < matrix.rows(); ++i) {
-    inverse_diagonal_[i] = 0;
+    Value diagonal = 0;
     int right = matrix.start[i];
-    while (right < matrix.start[i + 1] && matrix.column[right] < i)
-      ++right;
-    if (right < matrix.start[i + 1] && matrix.column[right] == i) {
-      if (matrix.value[right] > 0)
-        inverse_diagonal_[i] = static_cast<float>(1 / (scale_ * matrix.value[right]));
-      ++right;
+    for (int e = matrix.start[i]; e < matrix.start[i + 1]; ++e) { // to the end: no branch to guess
+      diagonal = matrix.column[e] == i ? matrix.value[e] : diagonal;
+      right += matrix.column[e] <= i ? 1 : 0;
     }
+    inverse_diagonal_[i] = diagonal > 0 ? static_cast<float>(1 / (scale_ * diagonal)) : 0;
     if (!whole_rows)
       right_of_diagonal_[i] = right;
   }
