@@ -86,8 +86,10 @@ public:
       weight_[cluster] = 0;
     }
     touched_.clear();
-    if (second < negligible * first)
+    if (second <= negligible * first) {
       second = 0;
+      parents.row[1] = parents.row[0];
+    }
     if (first > 0)
       parents.weight = {sum * first / (first + second), sum * second / (first + second)};
     return parents;
@@ -111,7 +113,7 @@ Interpolation interpolation(const MatrixView<Value>& matrix) {
     if (cluster == none)
       continue;
     if (clusters.root[cluster] == i) {
-      result.parents[i] = {{cluster, 0}, {1, 0}};
+      result.parents[i] = {{cluster, cluster}, {1, 0}};
       continue;
     }
     Value diagonal = 0;
