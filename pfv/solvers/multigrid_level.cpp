@@ -20,13 +20,16 @@ void MultigridLevel<Value>::follow(const MatrixView<Value>& matrix, double scale
   matrix_ = matrix;
   scale_ = static_cast<Value>(scale);
   for (int i = 0; i < matrix.rows(); ++i) {
-    Value diagonal = 0;
+    const int last = matrix.start[i + 1];
     int right = matrix.start[i];
-    for (int e = matrix.start[i]; e < matrix.start[i + 1]; ++e) { // to the end: no branch to guess
-      diagonal = matrix.column[e] == i ? matrix.value[e] : diagonal;
-      right += matrix.column[e] <= i ? 1 : 0;
+    for (int e = right; e < last; ++e) // to the end: no branch to guess
+      right += matrix.column[e] < i ? 1 : 0;
+    inverse_diagonal_[i] = 0;
+    if (right < last && matrix.column[right] == i) {
+      if (matrix.value[right] > 0)
+        inverse_diagonal_[i] = static_cast<float>(1 / (scale_ * matrix.value[right]));
+      ++right;
     }
-    inverse_diagonal_[i] = diagonal > 0 ? static_cast<float>(1 / (scale_ * diagonal)) : 0;
     if (!whole_rows)
       right_of_diagonal_[i] = right;
   }
