@@ -124,15 +124,19 @@ Interpolation interpolation(const MatrixView<Value>& matrix) {
       result.parents[i] = {{cluster, cluster}, {1, 0}};
       continue;
     }
-    Value diagonal = 0;
-    for (int e = matrix.start[i]; e < matrix.start[i + 1]; ++e)
-      diagonal = matrix.column[e] == i ? matrix.value[e] : diagonal;
-    if (!(diagonal > 0))
+    const int first = matrix.start[i], last = matrix.start[i + 1];
+    int diagonal = first; // counted, not searched for
+    for (int e = first; e < last; ++e)
+      diagonal += matrix.column[e] < i ? 1 : 0;
+    if (diagonal == last || matrix.column[diagonal] != i || !(matrix.value[diagonal] > 0))
       continue; // rounding has left nothing of it
-    two_largest.expect(matrix.start[i + 1] - matrix.start[i]);
-    for (int e = matrix.start[i]; e < matrix.start[i + 1]; ++e)
+    const Value scale = -1 / matrix.value[diagonal];
+    two_largest.expect(last - first);
+    for (int e = first; e < last; ++e) {
+      const auto weight = static_cast<float>(scale * matrix.value[e]);
       if (const int of_neighbour = clusters.of_row[matrix.column[e]]; of_neighbour != none)
-        two_largest.add(of_neighbour, matrix.column[e] == i ? 0 : static_cast<float>(-matrix.value[e] / diagonal));
+        two_largest.add(of_neighbour, e == diagonal ? 0 : weight);
+    }
     result.parents[i] = two_largest.take();
   }
   return result;
