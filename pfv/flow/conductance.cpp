@@ -1,7 +1,12 @@
 #include "pfv/flow/conductance.hpp"
 
+#include "pfv/flow/median.hpp"
+
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -73,25 +78,7 @@ void fill_at_walls(const Rule& rule, const Walls& walls, const PoreNetwork& netw
 }
 
 double smallest_area(const std::vector<double>& fluid_area) {
-  double total = 0;
-  for (const double area : fluid_area)
-    total += area;
-  return no_area * total / static_cast<double>(fluid_area.size());
-}
-
-double median_of_open(const std::vector<double>& values, std::vector<double>& part) {
-  part.resize(values.size());
-  std::size_t count = 0;
-  for (const double value : values) {
-    part[count] = value; // overwritten by the next unless it is counted
-    count += value > 0 && value < infinite;
-  }
-  if (count == 0)
-    return 0;
-  const auto end = part.begin() + static_cast<std::ptrdiff_t>(count);
-  const auto middle = part.begin() + static_cast<std::ptrdiff_t>(count / 2);
-  std::nth_element(part.begin(), middle, end);
-  return *middle;
+  return no_area * Eigen::Map<const Eigen::VectorXd>(fluid_area.data(), std::ssize(fluid_area)).mean();
 }
 
 } // namespace
@@ -108,7 +95,7 @@ void update(Conductances& conductances, const PoreNetwork& network, const Conduc
         fill_at_walls(law, wall, network, viscosity, smallest, values.data());
       },
       rule, walls);
-  conductances.median = median_of_open(values, conductances.sorted_part);
+  conductances.median = positive_median(values);
   conductances.rounded = 0;
   for (double& value : values)
     if (value < 0) {

@@ -13,14 +13,13 @@ struct Conductances {
   std::vector<double> values; // m^3/(Pa s), by throat; 0 where closed, infinite between coincident pores
   double median = 0;          // m^3/(Pa s), over the throats that follow the rule
   std::size_t rounded = 0;    // open throats whose signed void or wetted surface is lost: round tubes of their section
-  std::vector<double> sorted_part; // room for the median, kept from one update to the next
 };
 
 /// Conductance of every throat of a fluid of this viscosity (Pa s). The network must have openings when the rule reads
 /// them.
 Conductances conductances(const PoreNetwork& network, const Conductance& rule, const WallRule& walls, double viscosity);
 
-/// The same in place: nothing is allocated when the network has as many throats as before.
+/// The same in place: nothing is allocated for throats when the network has as many as before.
 void update(Conductances& conductances, const PoreNetwork& network, const Conductance& rule, const WallRule& walls,
             double viscosity);
 

@@ -36,9 +36,10 @@ public:
     const int root = find(a), other = find(b);
     if (root == other)
       return;
+    const int first = root < other ? root : other, second = root < other ? other : root; // so that paths stay short
     if (!offset_.empty())
-      offset_[root] = offset(b) - offset(a) - shift;
-    parent_[root] = other;
+      offset_[second] = second == root ? offset(b) - offset(a) - shift : offset(a) + shift - offset(b);
+    parent_[second] = first;
   }
 
 private:

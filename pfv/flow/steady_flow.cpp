@@ -150,10 +150,12 @@ void FollowedFlow::follow(const Packing& packing, Clock& clock) {
     if (!same_pattern)
       flow_.system = assemble(flow_.network, throats_, question_.faces, question_.pressure_points);
   }
-  if (same_pattern)
+  if (same_pattern) {
+    const auto timing = clock.stage("factor");
     solver_->update(flow_.system.matrix);
-  else
+  } else {
     factor(clock);
+  }
   solve(clock);
 }
 

@@ -48,9 +48,9 @@ public:
   FollowedFlow(const FollowedFlow&) = delete;
   FollowedFlow& operator=(const FollowedFlow&) = delete;
 
-  /// The flow where the spheres are now: stages `geometry`, `conductances`, `assemble`, `factor` (only when throats
-  /// open, close or contract), `solve`, `forces`. Right as long as `network.inverted_throats` stays zero; then the
-  /// packing must be triangulated anew. The packing must have as many spheres as before. Throws SolveError.
+  /// The flow where the spheres are now: stages `geometry`, `conductances`, `assemble`, `factor` (in whole only when
+  /// throats open, close or contract), `solve`, `forces`. Right as long as `network.inverted_throats` stays zero; then
+  /// the packing must be triangulated anew. The packing must have as many spheres as before. Throws SolveError.
   void follow(const Packing& packing, Clock& clock);
 
   const SteadyFlow& flow() const { return flow_; }

@@ -1,5 +1,6 @@
 #include "pfv/pores/bipyramid_block.hpp"
 
+#include "pfv/pores/half_angle.hpp"
 #include "pfv/pores/lens.hpp"
 
 namespace pfv {
@@ -12,13 +13,6 @@ PFV_INLINE Vector at(const FacetBlock::Corner& corner, int t) {
 }
 PFV_INLINE Vector at(const BipyramidBlock::Side& side, int t) {
   return {side.x[t], side.y[t], side.z[t]};
-}
-
-/// Half the solid angle at the corner of a pyramid (Van Oosterom & Strackee 1983, eq. (8)) from the directions to the
-/// other corners u, v, to the apex w, and det(u, v, w).
-PFV_INLINE double half_angle(const Vector& u, const Vector& v, const Vector& w, double nu, double nv, double det) {
-  const double nw = norm(w);
-  return lanes::atan2(det, nu * nv * nw + dot(u, v) * nw + dot(u, w) * nv + dot(v, w) * nu);
 }
 
 /// The pyramids on one side of the facets, sign 1 ahead and -1 behind; adds what both sides share to the bipyramids.

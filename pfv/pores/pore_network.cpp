@@ -31,18 +31,21 @@ bool is_first_side(const Triangulation& cells, int i, int f) {
 void list_throats(const Triangulation& cells, PoreNetwork::Throats& throats) {
   const int count = static_cast<int>(cells.cells.size());
   const auto add_all = [&](bool at_wall) {
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < count; ++i) {
+      const bool touches_wall = std::ranges::any_of(cells.cells[i], is_wall);
+      if (at_wall && !touches_wall)
+        continue;
       for (int f = 0; f < 4; ++f) {
         if (!is_first_side(cells, i, f))
           continue;
-        const auto vertices = facet_opposite(cells.cells[i], f);
-        if (std::ranges::any_of(vertices, is_wall) != at_wall)
+        if (touches_wall && std::ranges::any_of(facet_opposite(cells.cells[i], f), is_wall) != at_wall)
           continue;
         throats.pores.push_back({i, cells.neighbours[i][f]});
         throats.facet.push_back(static_cast<std::uint8_t>(f));
         if (!cells.shifts.empty())
           throats.shift.push_back(cells.shifts[i][f]);
       }
+    }
   };
   throats.pores.reserve(2 * cells.cells.size());
   throats.facet.reserve(2 * cells.cells.size());

@@ -35,9 +35,7 @@ struct Sites {
   std::size_t size() const { return spheres.size(); }
 };
 
-/// The spheres of a packing along z in one bar of the box after the other, bars some spheres wide: what neighbours two
-/// bars share fits a cache, so a pass over pores sorted like this takes a quarter less time than in Morton's order
-/// (1966).
+/// The spheres of a packing bar by bar, along z in each: see Bars.
 Sites sites_of(const Packing& packing);
 
 /// Moves the sites to where the spheres of the packing are now; numbers and images stay.

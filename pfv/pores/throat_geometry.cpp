@@ -16,7 +16,8 @@ constexpr double inverted_below = -1e-6; // l of the largest side of the box; wa
 
 class Measuring {
 public:
-  explicit Measuring(PoreNetwork& network) : network_(network) {
+  explicit Measuring(PoreNetwork& network)
+      : network_(network), inverted_(inverted_below * network.box.size().maxCoeff()) {
     std::ranges::fill(network.pores.volume, 0);
     std::ranges::fill(network.pores.void_volume, 0);
     std::ranges::fill(network.spheres.of_sites, std::array{0.0, 0.0});
@@ -28,8 +29,7 @@ public:
     BipyramidBlock bipyramids{};
     for (std::size_t first = 0; first < network_.throats.interior; first += FacetBlock::width) {
       const int count = gather(network_, first, facets);
-      for (int t = 0; t < count; ++t)
-        gather_centres(first + t, t, bipyramids);
+      gather_centres(first, count, bipyramids);
       facets.measure();
       bipyramids.measure(facets);
       for (int t = 0; t < count; ++t) {
@@ -49,10 +49,20 @@ public:
   }
 
   void wall_throats() {
-    for (std::size_t t = network_.throats.interior; t < network_.throats.size(); ++t) {
-      one_by_one(t);
-      if (!network_.throats.gap.empty())
-        openings_one_by_one(t);
+    WallThroatBlock block{};
+    for (std::size_t first = network_.throats.interior; first < network_.throats.size(); first += block.width) {
+      const int count = gather(network_, first, block);
+      gather_centres(first, count, block);
+      block.measure_facets();
+      block.measure_bipyramids();
+      for (int t = 0; t < count; ++t) {
+        if (block.is_crowded(t))
+          one_by_one(first + t);
+        else
+          store(first + t, block.vertices[t], measures(block, t));
+        if (!network_.throats.gap.empty())
+          openings_one_by_one(first + t);
+      }
     }
   }
 
@@ -84,27 +94,37 @@ public:
   }
 
 private:
-  void gather_centres(std::size_t throat, int lane, BipyramidBlock& block) const {
-    const Vec3& behind = network_.pores.centre[network_.throats.pores[throat][0]];
-    const Vec3 ahead = network_.centre_ahead(throat);
-    block.behind.x[lane] = behind.x();
-    block.behind.y[lane] = behind.y();
-    block.behind.z[lane] = behind.z();
-    block.ahead.x[lane] = ahead.x();
-    block.ahead.y[lane] = ahead.y();
-    block.ahead.z[lane] = ahead.z();
+  /// Of the pores behind and ahead of throats.
+  template <typename Block>
+  void gather_centres(std::size_t first, int count, Block& block) const {
+    for (int t = 0; t < count; ++t) {
+      const Vec3& behind = network_.pores.centre[network_.throats.pores[first + t][0]];
+      const Vec3 ahead = network_.centre_ahead(first + t);
+      block.behind.x[t] = behind.x();
+      block.behind.y[t] = behind.y();
+      block.behind.z[t] = behind.z();
+      block.ahead.x[t] = ahead.x();
+      block.ahead.y[t] = ahead.y();
+      block.ahead.z[t] = ahead.z();
+    }
   }
 
   static ThroatMeasures measures(const FacetBlock& facets, const BipyramidBlock& block, int t) {
-    return {.plane = {{},
-                      facets.area[t],
-                      {facets.sector[0][t], facets.sector[1][t], facets.sector[2][t]},
-                      facets.fluid_area[t]},
+    return {.plane = plane(facets, t),
             .length = block.length[t],
             .behind = {block.behind.volume[t], block.behind.void_volume[t]},
             .ahead = {block.ahead.volume[t], block.ahead.void_volume[t]},
             .wetted = {block.wetted[0][t], block.wetted[1][t], block.wetted[2][t]},
             .ball = {block.ball[0][t], block.ball[1][t], block.ball[2][t]}};
+  }
+
+  static ThroatMeasures measures(const WallThroatBlock& block, int t) {
+    return {.plane = plane(block, t),
+            .length = block.length[t],
+            .behind = {block.behind.volume[t], block.behind.void_volume[t]},
+            .ahead = {block.ahead.volume[t], block.ahead.void_volume[t]},
+            .wetted = block.by_vertex({block.wetted[0][t], block.wetted[1][t], block.wetted[2][t]}, t),
+            .ball = block.by_vertex({block.ball[0][t], block.ball[1][t], 0}, t)};
   }
 
   void one_by_one(std::size_t t) {
@@ -150,11 +170,12 @@ private:
     network_.pores.volume[j] += measures.ahead.volume;
     network_.pores.void_volume[i] += measures.behind.void_volume;
     network_.pores.void_volume[j] += measures.ahead.void_volume;
-    if (measures.length < inverted_below * network_.box.size().maxCoeff())
+    if (measures.length < inverted_)
       ++network_.inverted_throats;
   }
 
   PoreNetwork& network_;
+  double inverted_; // m, a length below it is
 };
 
 } // namespace

@@ -28,7 +28,7 @@ struct Triangulation {
 /// doubled until no image beyond it could be in conflict with a kept cell. Throws SolveError when the cells do not
 /// repeat.
 ///
-/// Cells are sorted by their first sphere, so that neighbours in space are neighbours in memory.
+/// Cells come bar by bar, see Bars, so that neighbours in space are near in memory.
 Triangulation triangulate(const Packing& packing, const PeriodicAxes& periodic = {});
 
 } // namespace pfv

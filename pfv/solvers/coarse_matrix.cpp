@@ -28,45 +28,55 @@ SparseRows children(const Interpolation& interpolation) {
   return result;
 }
 
-/// One row while it is summed.
+/// One row while it is summed. Which columns come again nobody can guess, so nothing branches on it.
 class RowSum {
 public:
-  explicit RowSum(int columns) : place_(static_cast<std::size_t>(columns), -1) {}
+  explicit RowSum(int columns) : met_in_(static_cast<std::size_t>(columns), -1), value_(met_in_.size()) {}
+
+  /// Makes room for so many calls of `add`.
+  void expect(int entries) {
+    if (count_ + static_cast<std::size_t>(entries) > columns_.size())
+      columns_.resize(2 * (count_ + static_cast<std::size_t>(entries)));
+  }
 
   void add(int column, double value) {
-    int& place = place_[column];
-    if (place < 0) {
-      place = static_cast<int>(columns_.size());
-      columns_.push_back(column);
-      values_.push_back(value);
-    } else
-      values_[place] += value;
+    const bool is_new = met_in_[column] != row_;
+    columns_[count_] = column;
+    count_ += is_new ? 1 : 0;
+    met_in_[column] = row_;
+    value_[column] = (is_new ? 0 : value_[column]) + value;
   }
 
   /// In the order of a MatrixView: left of the diagonal, diagonal, right of it.
   void move_to(SparseRows& matrix) {
-    const int row = matrix.rows();
-    const auto append_if = [&](auto&& wanted) {
-      for (std::size_t k = 0; k < columns_.size(); ++k)
-        if (wanted(columns_[k])) {
-          matrix.column.push_back(columns_[k]);
-          matrix.value.push_back(static_cast<float>(values_[k]));
-        }
-    };
-    append_if([row](int column) { return column < row; });
-    append_if([row](int column) { return column == row; });
-    append_if([row](int column) { return column > row; });
-    matrix.start.push_back(static_cast<int>(matrix.column.size()));
-    for (const int column : columns_)
-      place_[column] = -1;
-    columns_.clear();
-    values_.clear();
+    const std::size_t first = matrix.column.size(), end = first + count_;
+    matrix.column.resize(end);
+    matrix.value.resize(end);
+    std::size_t left = first, right = end;
+    for (std::size_t k = 0; k < count_; ++k) {
+      const int column = columns_[k];
+      const bool is_right = column > row_;
+      const std::size_t place = is_right ? right - 1 : left;
+      matrix.column[place] = column;
+      matrix.value[place] = static_cast<float>(value_[column]);
+      left += column < row_ ? 1 : 0;
+      right -= is_right ? 1 : 0;
+    }
+    if (left < right) {
+      matrix.column[left] = row_;
+      matrix.value[left] = static_cast<float>(value_[row_]);
+    }
+    matrix.start.push_back(static_cast<int>(end));
+    ++row_;
+    count_ = 0;
   }
 
 private:
-  std::vector<int> place_; // by column
-  std::vector<int> columns_;
-  std::vector<double> values_;
+  int row_ = 0;
+  std::size_t count_ = 0;
+  std::vector<int> columns_;  // the first `count_`, each once
+  std::vector<int> met_in_;   // row, by column
+  std::vector<double> value_; // by column, where it was met in this row
 };
 
 } // namespace
@@ -83,17 +93,19 @@ SparseRows coarse_matrix(const MatrixView<Value>& fine, const Interpolation& int
   for (int row = 0; row < interpolation.coarse_rows; ++row) {
     for (int r = restriction.start[row]; r < restriction.start[row + 1]; ++r) {
       const int i = restriction.column[r];
+      sum.expect(2 * (fine.start[i + 1] - fine.start[i]));
       for (int e = fine.start[i]; e < fine.start[i + 1]; ++e) {
         const Parents& parents = interpolation.parents[fine.column[e]];
         const double value = scale * restriction.value[r] * fine.value[e];
-        for (int k = 0; k < 2; ++k)
-          if (parents.weight[k] != 0)
+        if (parents.weight[0] != 0)
+          for (int k = 0; k < 2; ++k)
             sum.add(parents.row[k], value * parents.weight[k]);
       }
     }
     if (!term.empty())
       for (int r = term.by_row.start[row]; r < term.by_row.start[row + 1]; ++r) {
         const auto& [block, value] = term.by_row.entry[r];
+        sum.expect(term.by_block.start[block + 1] - term.by_block.start[block]);
         for (int e = term.by_block.start[block]; e < term.by_block.start[block + 1]; ++e)
           sum.add(term.by_block.entry[e].index, scale * value.dot(term.by_block.entry[e].value));
       }

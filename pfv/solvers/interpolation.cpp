@@ -17,12 +17,14 @@ template <class Value>
 std::vector<int> strongest_neighbours(const MatrixView<Value>& matrix) {
   std::vector<int> strongest(static_cast<std::size_t>(matrix.rows()), none);
   for (int i = 0; i < matrix.rows(); ++i) {
-    Value largest = 0;
-    for (int e = matrix.start[i]; e < matrix.start[i + 1]; ++e)
-      if (matrix.value[e] < largest) {
-        largest = matrix.value[e];
-        strongest[i] = matrix.column[e];
-      }
+    Value least = 0;
+    int neighbour = none;
+    for (int e = matrix.start[i]; e < matrix.start[i + 1]; ++e) {
+      const bool is_stronger = matrix.value[e] < least;
+      least = is_stronger ? matrix.value[e] : least;
+      neighbour = is_stronger ? matrix.column[e] : neighbour;
+    }
+    strongest[i] = neighbour;
   }
   return strongest;
 }
@@ -57,14 +59,21 @@ Clusters follow_strongest(const std::vector<int>& strongest) {
   return clusters;
 }
 
-/// The two largest of the weights given to `add`, scaled to the sum of all.
+/// The two largest of the weights given to `add`, scaled to the sum of all. By selects, as nobody can guess which
+/// clusters come again and which is the largest.
 class TwoLargest {
 public:
   explicit TwoLargest(std::size_t clusters) : weight_(clusters, 0) {}
 
+  /// Makes room for so many calls of `add`.
+  void expect(int weights) {
+    if (touched_.size() < static_cast<std::size_t>(weights))
+      touched_.resize(static_cast<std::size_t>(weights));
+  }
+
   void add(int cluster, float weight) {
-    if (weight_[cluster] == 0)
-      touched_.push_back(cluster);
+    touched_[count_] = cluster; // may come twice, after a weight of zero: its second one is then zero
+    count_ += weight_[cluster] == 0 ? 1 : 0;
     weight_[cluster] += weight;
   }
 
@@ -72,22 +81,22 @@ public:
     constexpr float negligible = 0.2F;
     Parents parents;
     float first = 0, second = 0, sum = 0;
-    for (const int cluster : touched_) {
+    for (std::size_t k = 0; k < count_; ++k) {
+      const int cluster = touched_[k];
       const float weight = weight_[cluster];
-      sum += weight;
-      if (weight > first) {
-        second = first;
-        first = weight;
-        parents.row = {cluster, parents.row[0]};
-      } else if (weight > second) {
-        second = weight;
-        parents.row[1] = cluster;
-      }
       weight_[cluster] = 0;
+      sum += weight;
+      const bool is_first = weight > first, is_second = weight > second;
+      second = is_first ? first : is_second ? weight : second;
+      parents.row[1] = is_first ? parents.row[0] : is_second ? cluster : parents.row[1];
+      first = is_first ? weight : first;
+      parents.row[0] = is_first ? cluster : parents.row[0];
     }
-    touched_.clear();
-    if (second < negligible * first)
+    count_ = 0;
+    if (second <= negligible * first) {
       second = 0;
+      parents.row[1] = parents.row[0];
+    }
     if (first > 0)
       parents.weight = {sum * first / (first + second), sum * second / (first + second)};
     return parents;
@@ -95,7 +104,8 @@ public:
 
 private:
   std::vector<float> weight_; // by cluster
-  std::vector<int> touched_;
+  std::vector<int> touched_;  // the first `count_`
+  std::size_t count_ = 0;
 };
 
 } // namespace
@@ -111,18 +121,22 @@ Interpolation interpolation(const MatrixView<Value>& matrix) {
     if (cluster == none)
       continue;
     if (clusters.root[cluster] == i) {
-      result.parents[i] = {{cluster, 0}, {1, 0}};
+      result.parents[i] = {{cluster, cluster}, {1, 0}};
       continue;
     }
-    Value diagonal = 0;
-    for (int e = matrix.start[i]; e < matrix.start[i + 1]; ++e)
-      if (matrix.column[e] == i)
-        diagonal = matrix.value[e];
-    if (!(diagonal > 0))
+    const int first = matrix.start[i], last = matrix.start[i + 1];
+    int diagonal = first; // counted, not searched for
+    for (int e = first; e < last; ++e)
+      diagonal += matrix.column[e] < i ? 1 : 0;
+    if (diagonal == last || matrix.column[diagonal] != i || !(matrix.value[diagonal] > 0))
       continue; // rounding has left nothing of it
-    for (int e = matrix.start[i]; e < matrix.start[i + 1]; ++e)
-      if (const int of_neighbour = clusters.of_row[matrix.column[e]]; matrix.column[e] != i && of_neighbour != none)
-        two_largest.add(of_neighbour, static_cast<float>(-matrix.value[e] / diagonal));
+    const Value scale = -1 / matrix.value[diagonal];
+    two_largest.expect(last - first);
+    for (int e = first; e < last; ++e) {
+      const auto weight = static_cast<float>(scale * matrix.value[e]);
+      if (const int of_neighbour = clusters.of_row[matrix.column[e]]; of_neighbour != none)
+        two_largest.add(of_neighbour, e == diagonal ? 0 : weight);
+    }
     result.parents[i] = two_largest.take();
   }
   return result;

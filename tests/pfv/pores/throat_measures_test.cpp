@@ -73,7 +73,7 @@ TEST(ThroatMeasures, AreTheSameInBlocks) {
        {packing_from("g200.txt"), grown(1, 1), grown(1.1, 1.5), grown(1, 20), grown(1.1, 20), grown(1.3, 1.5)}) {
     const PoreNetwork network = network_of(packing);
     const double side = packing.box.size().x();
-    for (std::size_t t = 0; t < network.throats.interior; ++t) {
+    for (std::size_t t = 0; t < network.throats.size(); ++t) {
       const ThroatMeasures throat = one_by_one(network, t);
       EXPECT_NEAR(network.throats.fluid_area[t], throat.plane.fluid_area, 1e-13 * side * side);
       EXPECT_NEAR(network.throats.length[t], throat.length, 1e-12 * side);
