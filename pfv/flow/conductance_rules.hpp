@@ -79,13 +79,13 @@ struct Calibrated {
   static constexpr std::string_view name = "calibrated";
   static constexpr std::string_view source = "hydraulic-radius, fitted to finite elements in studies/throat_data";
   static constexpr bool reads_openings = true;
-  double alpha = 0.5;      // Hagen-Poiseuille in a circular tube
-  double openness = 3.333; // c_s
-  double length = 0.522;   // c_l
-  double gap = 0.447;      // c_g
-  double half_gap = 0.116; // g_h, the gap that does half of what any can
-  double contrast = 1.352; // c_p
-  double shear_spread = 0.353;
+  double alpha = 0.5;          // Hagen-Poiseuille in a circular tube
+  double openness = 3.333;     // c_s
+  double length = 0.522;       // c_l
+  double gap = 0.447;          // c_g
+  double half_gap = 0.116;     // g_h, the gap that does half of what any can
+  double contrast = 1.352;     // c_p
+  double shear_spread = 0.353; // of what spheres bear, see ShearSpread
 
   static constexpr double least_solid_fraction = 0.3, largest_solid_fraction = 0.75, largest_radius_ratio = 5;
   static constexpr double permeability_error = 0.05; // relative, within that range: see permeability_error.hpp

@@ -6,14 +6,7 @@
 namespace pfv {
 namespace {
 
-using lanes::Vector;
-
-PFV_INLINE Vector at(const FacetBlock::Corner& corner, int t) {
-  return {corner.x[t], corner.y[t], corner.z[t]};
-}
-PFV_INLINE Vector at(const BipyramidBlock::Side& side, int t) {
-  return {side.x[t], side.y[t], side.z[t]};
-}
+using lanes::at, lanes::Vector;
 
 /// The pyramids on one side of the facets, sign 1 ahead and -1 behind; adds what both sides share to the bipyramids.
 PFV_INLINE void add_pyramids(const FacetBlock& facets, double sign, BipyramidBlock::Side& side, BipyramidBlock& block) {

@@ -6,11 +6,7 @@
 namespace pfv {
 namespace {
 
-using lanes::Vector;
-
-PFV_INLINE Vector at(const FacetBlock::Corner& corner, int lane) {
-  return {corner.x[lane], corner.y[lane], corner.z[lane]};
-}
+using lanes::at, lanes::Vector;
 
 /// Normals, areas and whole sectors; counts the lanes in which spheres overlap and in which a disc reaches across the
 /// opposite side.

@@ -97,6 +97,12 @@ PFV_INLINE double exp(double x) {
 struct Vector {
   double x, y, z;
 };
+
+/// That of one lane, of points kept coordinate by coordinate.
+template <typename Points>
+PFV_INLINE Vector at(const Points& points, int lane) {
+  return {points.x[lane], points.y[lane], points.z[lane]};
+}
 PFV_INLINE Vector operator+(const Vector& a, const Vector& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }

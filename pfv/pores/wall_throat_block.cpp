@@ -7,14 +7,8 @@
 namespace pfv {
 namespace {
 
-using lanes::Vector;
+using lanes::at, lanes::Vector;
 
-PFV_INLINE Vector at(const FacetBlock::Corner& corner, int t) {
-  return {corner.x[t], corner.y[t], corner.z[t]};
-}
-PFV_INLINE Vector at(const BipyramidBlock::Side& side, int t) {
-  return {side.x[t], side.y[t], side.z[t]};
-}
 PFV_INLINE Vector at(const std::array<WallThroatBlock::Lane, 3>& vector, int t) {
   return {vector[0][t], vector[1][t], vector[2][t]};
 }
