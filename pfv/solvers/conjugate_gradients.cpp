@@ -77,24 +77,44 @@ private:
   /// for.
   bool iterate(const Eigen::VectorXd& right_side, Eigen::VectorXd& pressure, int most) {
     residual_ = right_side - *matrix_ * pressure;
+    double power = pressure.dot(right_side + residual_); // that of the solution less that of the error
+    if (!(power > 0)) {                                  // a guess that is worse than none
+      pressure.setZero();
+      residual_ = right_side;
+      power = 0;
+    }
     direction_.setZero(right_side.size());
     product_.resize(right_side.size());
-    double old_power = 1;
-    for (int step = 0; step < most; ++step) {
+    double old_power_of_error = 1, length = 0;
+    bool is_close = false;
+    for (int step = 0; step < most && !is_close; ++step) {
       const double power_of_error = preconditioner_->apply(residual_, product_);
-      if (power_of_error == 0)
-        return true;
-      direction_ = product_ + power_of_error / old_power * direction_;
+      if (power_of_error == 0) {
+        is_close = true;
+        break;
+      }
+      advance_and_turn(length, power_of_error / old_power_of_error, pressure);
       const double curvature = multiply_direction();
       if (!(power_of_error > 0 && curvature > 0))
         throw SolveError(fmt::format("{}: the matrix is not positive definite", report_.name));
-      const double length = power_of_error / curvature;
-      old_power = power_of_error;
+      length = power_of_error / curvature;
+      residual_ -= length * product_;
+      old_power_of_error = power_of_error;
+      power += length * power_of_error;
+      is_close = power_of_error <= tolerance_ * tolerance_ * power;
       ++report_.iterations;
-      if (power_of_error <= tolerance_ * tolerance_ * advance(length, right_side, pressure))
-        return true;
     }
-    return false;
+    pressure += length * direction_;
+    return is_close;
+  }
+
+  /// Takes the step along the old direction, then sets out for product + keep direction.
+  void advance_and_turn(double length, double keep, Eigen::VectorXd& pressure) {
+    for (Eigen::Index i = 0; i < pressure.size(); ++i) {
+      const double old = direction_[i];
+      pressure[i] += length * old;
+      direction_[i] = product_[i] + keep * old;
+    }
   }
 
   /// product = A direction; returns direction.product.
@@ -111,17 +131,6 @@ private:
       product += sum * direction_[i];
     }
     return product;
-  }
-
-  /// A step along the direction; returns the power p.b.
-  double advance(double length, const Eigen::VectorXd& right_side, Eigen::VectorXd& pressure) {
-    double power = 0;
-    for (Eigen::Index i = 0; i < pressure.size(); ++i) {
-      pressure[i] += length * direction_[i];
-      residual_[i] -= length * product_[i];
-      power += pressure[i] * right_side[i];
-    }
-    return power;
   }
 
   /// Shifts all pressures by the one number that makes what is left over sum to zero, so that what enters leaves: the

@@ -72,8 +72,7 @@ public:
   }
 
   void add(int cluster, float weight) {
-    touched_[count_] = cluster; // may come twice, after a weight of zero: its second one is then zero
-    count_ += weight_[cluster] == 0 ? 1 : 0;
+    touched_[count_++] = cluster;
     weight_[cluster] += weight;
   }
 
@@ -83,7 +82,7 @@ public:
     float first = 0, second = 0, sum = 0;
     for (std::size_t k = 0; k < count_; ++k) {
       const int cluster = touched_[k];
-      const float weight = weight_[cluster];
+      const float weight = weight_[cluster]; // zero when the cluster comes again
       weight_[cluster] = 0;
       sum += weight;
       const bool is_first = weight > first, is_second = weight > second;
@@ -93,12 +92,11 @@ public:
       parents.row[0] = is_first ? cluster : parents.row[0];
     }
     count_ = 0;
-    if (second <= negligible * first) {
-      second = 0;
-      parents.row[1] = parents.row[0];
-    }
-    if (first > 0)
-      parents.weight = {sum * first / (first + second), sum * second / (first + second)};
+    const bool alone = second <= negligible * first;
+    second = alone ? 0 : second;
+    parents.row[1] = alone ? parents.row[0] : parents.row[1];
+    const float scale = first > 0 ? sum / (first + second) : 0;
+    parents.weight = {scale * first, scale * second};
     return parents;
   }
 

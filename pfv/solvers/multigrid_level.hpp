@@ -2,7 +2,6 @@
 
 #include "pfv/solvers/interpolation.hpp"
 
-#include <type_traits>
 #include <vector>
 
 namespace pfv {
@@ -13,8 +12,8 @@ struct MultigridVectors {
 };
 
 /// A p = b on one level of a multigrid. The matrix stays the caller's: the finest level, which holds most of all
-/// entries, needs no copy. There all steps go along whole rows, most of which have the same length: no branch to guess.
-/// On coarser levels rows are long, and the two steps that need but half of them take no more.
+/// entries, needs no copy. All steps go along whole rows, though two halves would do for some: most rows of the finest
+/// level have the same length, so that there is no branch to guess.
 ///
 /// The four steps of a V-cycle, in this order:
 template <class Value>
@@ -29,27 +28,24 @@ public:
   int rows() const { return matrix_.rows(); }
   std::size_t memory_bytes() const; // without the matrix
 
-  /// (L + D) p = b, A = L + D + L': a sweep of Gauss-Seidel from p = 0 in ascending order.
+  /// (L + D) p = b, A = L + D + L': a sweep of Gauss-Seidel from p = 0 in ascending order. Every row hands what it
+  /// moves on to its neighbours, so that right_side is the residual b - A p when it ends.
   void sweep_up_from_zero();
-  /// right_side of the coarser level = P' (b - A p).
+  /// right_side of the coarser level = P' residual.
   void restrict_residual_to(MultigridVectors& coarser) const;
-  /// Adds P times the pressure of the coarser level to p.
-  void add_correction_of(const MultigridVectors& coarser);
-  /// A sweep of Gauss-Seidel in descending order.
+  /// The correction of p is P times the pressure of the coarser level.
+  void take_correction_of(const MultigridVectors& coarser);
+  void take_no_correction(); // where there is none
+  /// A sweep of Gauss-Seidel over the correction in descending order; adds it to p.
   void sweep_down();
 
-  std::vector<Parents> from_coarser; // P, the interpolation from the coarser level
+  std::vector<Parents> from_coarser; // P, the interpolation from the coarser level; empty on the coarsest
 
 private:
-  static constexpr bool whole_rows = std::is_same_v<Value, double>;
-
-  float sum(int first, int last) const;
-  float residual(int row) const;
-
   MatrixView<Value> matrix_;
   Value scale_;
-  std::vector<int> right_of_diagonal_;  // by row, the first entry there; empty when all steps go along whole rows
   std::vector<float> inverse_diagonal_; // 0 where the sum of a coarse diagonal has cancelled to nothing
+  std::vector<float> correction_;
 };
 
 } // namespace pfv

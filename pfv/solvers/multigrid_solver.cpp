@@ -124,7 +124,9 @@ private:
         solve_coarsest();
       else
         cycle(coarser_[depth], depth + 1);
-      level.add_correction_of(coarser_[depth]);
+      level.take_correction_of(coarser_[depth]);
+    } else {
+      level.take_no_correction();
     }
     level.sweep_down();
   }
