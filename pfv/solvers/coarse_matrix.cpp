@@ -89,8 +89,8 @@ private:
 /// Asks for what the children after a place will read, which nobody else can guess. Inline, as a function that does
 /// nothing else counts as one without effect.
 template <class Value>
-[[gnu::always_inline]] inline void prefetch(const MatrixView<Value>& fine, const Interpolation& interpolation, std::span<const int> children,
-              std::size_t place) {
+[[gnu::always_inline]] inline void prefetch(const MatrixView<Value>& fine, const Interpolation& interpolation,
+                                            std::span<const int> children, std::size_t place) {
   constexpr std::size_t row_ahead = 16, parents_ahead = 5;
   if (place + row_ahead >= children.size())
     return;

@@ -74,7 +74,8 @@ void MultigridLevel<Value>::sweep_down() {
     Value image = 0;
     for (int e = matrix_.start[i]; e < matrix_.start[i + 1]; ++e)
       image += matrix_.value[e] * static_cast<Value>(correction_[matrix_.column[e]]);
-    const float correction = correction_[i] + (right_side[i] - static_cast<float>(scale * image)) * inverse_diagonal_[i];
+    const float correction =
+        correction_[i] + (right_side[i] - static_cast<float>(scale * image)) * inverse_diagonal_[i];
     correction_[i] = correction;
     pressure[i] += correction;
   }
