@@ -1,57 +1,21 @@
 #include "meshing/child_process.hpp"
 
-#include <algorithm>
+#include "meshing/child_group.hpp"
+
 #include <array>
-#include <cctype>
 #include <cerrno>
-#include <chrono>
-#include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
-#include <deque>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <fstream>
-#include <poll.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
-#include <sys/syscall.h>
 #include <sys/wait.h>
-#include <system_error>
-#include <unistd.h>
 
 extern char** environ;
 
 namespace meshing {
 
 namespace {
-
-using Wall = std::chrono::steady_clock;
-
-double seconds_since(Wall::time_point start) {
-  return std::chrono::duration<double>(Wall::now() - start).count();
-}
-
-class Descriptor {
-public:
-  explicit Descriptor(int value) : value_(value) {}
-  ~Descriptor() { close(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int value() const { return value_; }
-  void close() {
-    if (value_ >= 0)
-      ::close(value_);
-    value_ = -1;
-  }
-
-private:
-  int value_;
-};
-
-[[noreturn]] void fail(int error, const std::string& what) {
-  throw std::system_error(error, std::generic_category(), what);
-}
 
 std::vector<std::string> environment_with(const std::map<std::string, std::string>& added) {
   std::vector<std::string> result;
@@ -72,16 +36,6 @@ std::vector<char*> pointers(const std::vector<std::string>& strings) {
     result.push_back(const_cast<char*>(text.c_str()));
   result.push_back(nullptr);
   return result;
-}
-
-/// A group of its own that dies with the parent.
-void become_child(pid_t parent, rlim_t memory) {
-  setpgid(0, 0);
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  const rlimit data{memory, memory};
-  setrlimit(RLIMIT_DATA, &data);
-  if (getppid() != parent) // it died before
-    _exit(127);
 }
 
 /// What the child does between fork and exec: only async-signal-safe calls, no allocation, as another thread of the
@@ -107,70 +61,6 @@ struct Launch {
     _exit(127);
   }
 };
-
-/// Waits until the process has ended, without reaping it; false when `wall_limit` (s) passed first.
-bool wait_until_ended(int pidfd, const std::optional<double>& wall_limit) {
-  const auto start = Wall::now();
-  while (true) {
-    int timeout = -1; // ms
-    if (wall_limit) {
-      const double left = *wall_limit - seconds_since(start);
-      if (left <= 0)
-        return false;
-      timeout = static_cast<int>(std::min(left * 1e3 + 1, 1e9));
-    }
-    pollfd waiting{pidfd, POLLIN, 0};
-    const int ready = poll(&waiting, 1, timeout);
-    if (ready > 0 || (ready < 0 && errno != EINTR)) // wait4 blocks in the second case
-      return true;
-  }
-}
-
-double seconds(const timeval& time) {
-  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-}
-
-/// Waits for the leader of a process group, ends what is left of the group and tells how it went.
-ChildResult wait_for(pid_t child, Wall::time_point start, const ChildOptions& options, const std::string& cannot) {
-  int status = 0;
-  ChildResult result;
-  Descriptor pidfd(static_cast<int>(syscall(SYS_pidfd_open, child, 0)));
-  if (pidfd.value() < 0) {
-    const int error = errno;
-    kill(-child, SIGKILL);
-    waitpid(child, &status, 0);
-    fail(error, cannot);
-  }
-  const bool ended = wait_until_ended(pidfd.value(), options.wall_limit);
-  kill(-child,
-       SIGKILL); // before reaping, while the number cannot belong to another group; also for orphans left behind
-
-  rusage usage{};
-  while (wait4(child, &status, 0, &usage) < 0)
-    if (errno != EINTR)
-      fail(errno, cannot);
-  if (WIFEXITED(status))
-    result.exit_code = WEXITSTATUS(status);
-  else
-    result.signal = WTERMSIG(status);
-  result.timed_out = !ended && result.signal == SIGKILL;
-  result.cpu_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
-  result.peak_memory_bytes = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
-  result.wall_seconds = seconds_since(start);
-  return result;
-}
-
-rlim_t memory_of(const ChildOptions& options) {
-  rlimit own{};
-  getrlimit(RLIMIT_DATA, &own);
-  return std::min(own.rlim_max, options.memory_limit.value_or(own.rlim_cur));
-}
-
-/// Where a child's output goes.
-int open_log(const ChildOptions& options) {
-  const std::string log = options.log.empty() ? "/dev/null" : options.log.string();
-  return open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-}
 
 } // namespace
 
@@ -253,32 +143,6 @@ ChildResult run_in_child(const std::function<int()>& work, const ChildOptions& o
   }
   setpgid(child, child);
   return wait_for(child, start, options, cannot);
-}
-
-std::string ChildResult::how_it_ended() const {
-  if (timed_out)
-    return fmt::format("stopped after {:g} s", std::round(wall_seconds * 10) / 10);
-  if (signal != 0)
-    return fmt::format("killed by signal {} ({})", signal, sigdescr_np(signal));
-  return fmt::format("exit code {}", exit_code);
-}
-
-std::string last_lines(const std::filesystem::path& log, std::size_t lines) {
-  std::ifstream in(log);
-  std::deque<std::string> last;
-  for (std::string line; std::getline(in, line);) {
-    while (!line.empty() && std::isspace(static_cast<unsigned char>(line.back())))
-      line.pop_back();
-    if (line.empty())
-      continue;
-    last.push_back(line);
-    if (last.size() > lines)
-      last.pop_front();
-  }
-  std::string joined;
-  for (const std::string& line : last)
-    joined += (joined.empty() ? "" : " | ") + line;
-  return joined;
 }
 
 } // namespace meshing
