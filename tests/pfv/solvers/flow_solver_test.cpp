@@ -67,6 +67,27 @@ TEST(FlowSolver, GaussSeidelSaysWhenItDoesNotConverge) {
             std::string::npos);
 }
 
+TEST(FlowSolver, AGuessHelpsOrDoesNoHarm) {
+  constexpr int n = 1000;
+  const auto matrix = laplacian(n);
+  const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(n, 0, 1);
+  for (const char* engine : {"amg", "multigrid"}) {
+    const auto solver = make_solver(solver_named(engine));
+    solver->analyse(matrix);
+    solver->factor(matrix);
+    const Eigen::VectorXd solution = answer("cholmod", matrix, right);
+    const auto iterations_from = [&](Eigen::VectorXd p) {
+      solver->solve(right, p);
+      EXPECT_LT((p - solution).norm(), 1e-8 * solution.norm()) << engine;
+      return solver->report().iterations;
+    };
+    const int from_nothing = iterations_from(Eigen::VectorXd::Zero(n));
+    EXPECT_LT(iterations_from((1 + 1e-6) * solution), from_nothing) << engine;
+    for (const double times : {-1e12, -1.0, 3.0, 1e12}) // worse than none
+      EXPECT_EQ(iterations_from(times * solution), from_nothing) << engine << ' ' << times;
+  }
+}
+
 TEST(FlowSolver, RefusesWhatIsNotPositiveDefinite) {
   for (const char* engine : all_engines)
     for (const double diagonal : {-2.0, 0.0, 1.0}) { // 1: eigenvalues from -1 to 3
