@@ -76,7 +76,8 @@ private:
   /// False when the steps do not suffice. What can be done in one pass over the vectors is, as memory is what it waits
   /// for.
   bool iterate(const Eigen::VectorXd& right_side, Eigen::VectorXd& pressure, int most) {
-    residual_ = right_side - *matrix_ * pressure;
+    residual_ = right_side;
+    residual_.noalias() -= *matrix_ * pressure;
     double power = pressure.dot(right_side + residual_); // that of the solution less that of the error
     if (!(power > 0)) {                                  // a guess that is worse than none
       pressure.setZero();
