@@ -65,8 +65,8 @@ ChildResult wait_for(pid_t child, Wall::time_point start, const ChildOptions& op
     fail(error, cannot);
   }
   const bool ended = wait_until_ended(pidfd.value(), options.wall_limit);
-  kill(-child,
-       SIGKILL); // before reaping, while the number cannot belong to another group; also for orphans left behind
+  // Before reaping, while the number cannot belong to another group; also for orphans left behind.
+  kill(-child, SIGKILL);
 
   rusage usage{};
   while (wait4(child, &status, 0, &usage) < 0)

@@ -31,7 +31,7 @@ private:
   int value_;
 };
 
-/// Throws std::system_error.
+/// Throws std::system_error of this errno.
 [[noreturn]] void fail(int error, const std::string& what);
 
 /// In the child: a group of its own that dies with the parent, of at most so much memory (bytes). Only
@@ -39,6 +39,7 @@ private:
 void become_child(pid_t parent, rlim_t memory);
 
 /// In the parent: waits for the leader of the group, ends what is left of it and tells how it went.
+/// Throws std::system_error, whose text begins with `cannot`, when it cannot wait.
 ChildResult wait_for(pid_t child, Wall::time_point start, const ChildOptions& options, const std::string& cannot);
 
 /// Bytes: what the options allow of what this process may have.

@@ -9,7 +9,7 @@ namespace pfv {
 /// what is allowed).
 GrainScene read_grains(const toml::table& root, const Packing& packing);
 
-/// Of [walls].
+/// The axes along which there are no walls, by the table [walls]. Throws InputError likewise.
 PeriodicAxes periodic_of(const toml::table& walls);
 
 } // namespace pfv

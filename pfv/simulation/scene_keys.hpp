@@ -14,7 +14,7 @@ inline constexpr double unbounded = std::numeric_limits<double>::infinity();
 double number(const toml::table& table, std::string_view key, double otherwise, double least, double most = unbounded,
               bool positive = false);
 
-/// One above zero.
+/// The same of a number that must be above 0.
 double positive(const toml::table& table, std::string_view key, double otherwise, double most = unbounded);
 
 /// The table of this name, or null.

@@ -77,13 +77,13 @@ public:
 private:
   struct Sum {
     double value = 0;
-    int row = -1; // where it is of
+    int row = -1; // of which it is
   };
 
   int row_ = 0;
   std::size_t count_ = 0;
   std::vector<int> columns_; // the first `count_`, each once
-  std::vector<Sum> sums_;    // by column
+  std::vector<Sum> sums_;    // by column; zero but for this row
 };
 
 /// Asks for what the children after a place will read, which nobody else can guess. Inline, as a function that does

@@ -90,10 +90,9 @@ private:
     bool is_close = false;
     for (int step = 0; step < most && !is_close; ++step) {
       const double power_of_error = preconditioner_->apply(residual_, product_);
-      if (power_of_error == 0) {
-        is_close = true;
+      is_close = power_of_error == 0;
+      if (is_close)
         break;
-      }
       advance_and_turn(length, power_of_error / old_power_of_error, pressure);
       const double curvature = multiply_direction();
       if (!(power_of_error > 0 && curvature > 0))
