@@ -108,6 +108,11 @@ double SteadyFlow::imbalance() const {
 }
 
 FollowedFlow::FollowedFlow(const Case& problem, const FlowOptions& options, Clock& clock)
+    : FollowedFlow(WithoutForces{}, problem, options, clock) {
+  find_forces(clock);
+}
+
+FollowedFlow::FollowedFlow(WithoutForces /*tag*/, const Case& problem, const FlowOptions& options, Clock& clock)
     : question_(problem), options_(options), solver_(make_solver(options.solver)),
       spread_shear_(shear_spread(options.conductance), problem.faces, options.walls) {
   validate_level(problem.faces, problem.pressure_points);
@@ -157,6 +162,7 @@ void FollowedFlow::follow(const Packing& packing, Clock& clock) {
     factor(clock);
   }
   solve(clock);
+  find_forces(clock);
 }
 
 void FollowedFlow::factor(Clock& clock) {
@@ -166,30 +172,34 @@ void FollowedFlow::factor(Clock& clock) {
 }
 
 void FollowedFlow::solve(Clock& clock) {
-  {
-    const auto timing = clock.stage("solve");
-    int iterations = 0;
-    // Where little flows through throats that conduct well, pressures that are right are not yet fluxes that balance.
-    for (int attempt = 0; attempt == 0 || (attempt < most_attempts && flow_.imbalance() > balanced); ++attempt) {
-      solve_with_flux_faces(flow_.network, flow_.system, *solver_, solution_);
-      set_pore_pressures(flow_.system, solution_, flow_.pressure);
-      flow_.clamped_pores = clamp(flow_);
-      set_fluxes(flow_);
-      iterations += solver_->report().iterations;
-      if (flow_.imbalance() > balanced && !has_way(flow_.system, flow_.network))
-        stop(flow_);
-    }
-    flow_.solver = solver_->report();
-    flow_.solver.iterations = iterations;
+  const auto timing = clock.stage("solve");
+  int iterations = 0;
+  // Where little flows through throats that conduct well, pressures that are right are not yet fluxes that balance.
+  for (int attempt = 0; attempt == 0 || (attempt < most_attempts && flow_.imbalance() > balanced); ++attempt) {
+    solve_with_flux_faces(flow_.network, flow_.system, *solver_, solution_);
+    set_pore_pressures(flow_.system, solution_, flow_.pressure);
+    flow_.clamped_pores = clamp(flow_);
+    set_fluxes(flow_);
+    iterations += solver_->report().iterations;
+    if (flow_.imbalance() > balanced && !has_way(flow_.system, flow_.network))
+      stop(flow_);
   }
+  flow_.solver = solver_->report();
+  flow_.solver.iterations = iterations;
   flow_.permeability = permeability(question_, flow_);
+}
+
+void FollowedFlow::find_forces(Clock& clock) {
   const auto timing = clock.stage("forces");
   update(flow_.forces, flow_.network, flow_.system, flow_.pressure, options_.walls, question_.buoyancy);
   spread_shear_(flow_.network, flow_.forces);
 }
 
 SteadyFlow solve_steady_flow(const Case& problem, const FlowOptions& options, Clock& clock) {
-  FollowedFlow flow(problem, options, clock);
+  FollowedFlow flow(FollowedFlow::WithoutForces{}, problem, options, clock);
+  flow.solver_.reset(); // a third of all memory
+  flow.solution_.resize(0);
+  flow.find_forces(clock);
   return std::move(flow.flow_);
 }
 

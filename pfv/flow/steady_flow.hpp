@@ -58,8 +58,12 @@ public:
 private:
   friend SteadyFlow solve_steady_flow(const Case& problem, const FlowOptions& options, Clock& clock);
 
+  struct WithoutForces {};
+  FollowedFlow(WithoutForces tag, const Case& problem, const FlowOptions& options, Clock& clock);
+
   void factor(Clock& clock);
   void solve(Clock& clock);
+  void find_forces(Clock& clock);
 
   Case question_; // without its spheres
   FlowOptions options_;

@@ -1,7 +1,7 @@
 #include "pfv/simulation/pressure_solver.hpp"
 
 #include "pfv/problem/error.hpp"
-#include "pfv/solvers/multigrid_solver.hpp"
+#include "pfv/solvers/v_cycle.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ void PressureSolver::set(const FlowMatrix& matrix, const GramTerm& term) {
   term_ = &term;
   if (matrix.rows() == 0)
     return;
-  preconditioner_ = make_v_cycle(&term);
+  preconditioner_ = std::make_unique<VCycle>(&term);
   preconditioner_->factor(matrix);
   inverse_diagonal_ = matrix.diagonal();
   if (!term.empty())

@@ -30,8 +30,7 @@ public:
     if (matrix.rows() == 0)
       return;
     preconditioner_->factor(matrix);
-    preconditioner_->describe(report_);
-    report_.memory_bytes += 3 * sizeof(double) * report_.unknowns;
+    describe();
   }
 
   void update(const FlowMatrix& matrix) override {
@@ -53,18 +52,19 @@ public:
       pressure.setZero();
       return;
     }
-    if (!iterate(right_side, pressure, stale_ ? most_steps_when_stale : most_steps)) {
+    if (!approach(right_side, pressure, stale_ ? most_steps_when_stale : most_steps)) {
       if (stale_) {
         factor(*matrix_);
         ++report_.refactored;
       }
-      if (!iterate(right_side, pressure, most_steps))
+      if (!approach(right_side, pressure, most_steps))
         throw SolveError(fmt::format("{}: tolerance {:.1e} not reached in {} iterations", report_.name, tolerance_,
                                      report_.iterations));
     }
     report_.residual = balance(right_side, pressure) / scale;
     if (!std::isfinite(report_.residual))
       throw SolveError(fmt::format("{}: the solution is not finite", report_.name));
+    describe();
   }
 
   const SolverReport& report() const override { return report_; }
@@ -72,6 +72,19 @@ public:
 private:
   static constexpr int most_steps = 1000;
   static constexpr int most_steps_when_stale = 30;
+
+  void describe() {
+    preconditioner_->describe(report_);
+    report_.memory_bytes +=
+        sizeof(double) * static_cast<std::size_t>(residual_.size() + direction_.size() + product_.size());
+  }
+
+  /// False when the steps do not suffice.
+  bool approach(const Eigen::VectorXd& right_side, Eigen::VectorXd& pressure, int most) {
+    const Descent descent = preconditioner_->descend(right_side, pressure, tolerance_, most);
+    report_.iterations += descent.steps;
+    return descent.is_close || iterate(right_side, pressure, most);
+  }
 
   /// False when the steps do not suffice. What can be done in one pass over the vectors is, as memory is what it waits
   /// for.

@@ -1,153 +1,120 @@
 #include "pfv/solvers/multigrid_solver.hpp"
 
-#include "pfv/problem/error.hpp"
-#include "pfv/solvers/coarse_matrix.hpp"
 #include "pfv/solvers/conjugate_gradients.hpp"
-#include "pfv/solvers/multigrid_level.hpp"
+#include "pfv/solvers/v_cycle.hpp"
 
-#include <Eigen/Cholesky>
-#include <fmt/format.h>
-
-#include <optional>
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace pfv {
 namespace {
 
-class VCycle final : public Preconditioner {
+class SinglePrecisionSteps final : public VCycle {
 public:
-  explicit VCycle(const GramTerm* term = nullptr) : term_(term) {}
-
   void factor(const FlowMatrix& matrix) override {
-    coarser_.clear();
-    coarse_matrices_.clear();
-    const FlowMatrix& top = finest(matrix);
-    scale_ = scale_of(top);
-    finest_.emplace(view(top), scale_);
-    // The first coarse matrix is summed from double precision: in wide throats nearly all of it cancels.
-    bool has_coarser = finest_->rows() > coarsest_rows && coarsen(view(matrix), scale_, *finest_, term_);
-    while (has_coarser && coarser_.back().rows() > coarsest_rows)
-      has_coarser = coarsen(view(coarse_matrices_.back()), 1, coarser_.back());
-    if (!coarser_.empty())
-      factor_coarsest();
+    VCycle::factor(matrix);
+    matrix_ = &matrix;
+    residual_.resize(matrix.rows());
+    direction_.resize(matrix.rows());
   }
 
-  void follow(const FlowMatrix& matrix) override { finest_->follow(view(finest(matrix)), scale_); }
-
-  double apply(const Eigen::VectorXd& residual, Eigen::VectorXd& correction) override {
-    const double size = residual.lpNorm<Eigen::Infinity>();
-    const double into = size > 0 ? 1 / size : 0, back = scale_ * size;
-    for (int i = 0; i < finest_->rows(); ++i)
-      finest_->right_side[i] = static_cast<float>(into * residual[i]);
-    cycle(*finest_, 0);
-    double product = 0;
-    for (int i = 0; i < finest_->rows(); ++i) {
-      correction[i] = back * finest_->pressure[i];
-      product += residual[i] * correction[i];
-    }
-    return product;
+  void follow(const FlowMatrix& matrix) override {
+    VCycle::follow(matrix);
+    matrix_ = &matrix;
   }
 
   void describe(SolverReport& report) const override {
-    std::size_t entries = report.matrix_entries;
-    report.memory_bytes = finest_->memory_bytes();
-    for (const SparseRows& matrix : coarse_matrices_) {
-      entries += matrix.column.size();
-      report.memory_bytes += matrix.memory_bytes();
+    VCycle::describe(report);
+    report.memory_bytes += 2 * sizeof(float) * report.unknowns;
+  }
+
+  Descent descend(const Eigen::VectorXd& right_side, Eigen::VectorXd& pressure, double tolerance,
+                  int most_steps) override {
+    Descent descent;
+    double power = start(right_side, pressure);
+    if (size_ == 0)
+      return {0, true};
+    const double unit = scale() * size_ * size_; // of the powers of the finest level
+    double error = 1, old_error = 1, error_when_fresh = 0;
+    direction_.setZero();
+    bool is_fresh = true; // the residual
+    for (most_steps = std::min(most_steps, most_single_steps); descent.steps < most_steps && !descent.is_close;) {
+      error = correct();
+      const bool has_stalled = is_fresh && descent.steps > 0 && !(error < error_when_fresh);
+      direction_ = finest().pressure + static_cast<float>(error / old_error) * direction_;
+      const double curvature = finest().multiply(direction_);
+      if (has_stalled || !(error > 0 && curvature > 0))
+        break;
+      const double length = error / curvature;
+      advance(length, pressure);
+      ++descent.steps;
+      power += length * unit * error;
+      const double bound = tolerance * tolerance * power;
+      descent.is_close = is_fresh && unit * error <= bound;
+      error_when_fresh = is_fresh ? error : error_when_fresh;
+      is_fresh = error <= reliable * reliable * error_when_fresh || unit * error <= nearly * bound;
+      if (is_fresh && !descent.is_close)
+        refresh(right_side, pressure);
+      old_error = error;
     }
-    for (const auto& level : coarser_)
-      report.memory_bytes += level.memory_bytes();
-    report.operator_complexity = static_cast<double>(entries) / static_cast<double>(report.matrix_entries);
+    return descent;
   }
 
 private:
-  static constexpr int coarsest_rows = 100;
+  static constexpr int most_single_steps = 100;
+  static constexpr double reliable = 1e-5; // error left when residuals in single precision are no longer trusted
+  static constexpr double nearly = 20;    // times the bound: the next step may be the last one
 
-  /// Single precision has a narrow range.
-  static double scale_of(const FlowMatrix& matrix) {
-    const Eigen::VectorXd diagonal = matrix.diagonal();
-    if (!(diagonal.minCoeff() > 0))
-      throw SolveError(
-          fmt::format("multigrid: the matrix is not positive definite, {} on its diagonal", diagonal.minCoeff()));
-    return 1 / diagonal.maxCoeff();
+  /// Drops a guess that is worse than none. Sets size_ and the residual; returns the power of the pressure less that of
+  /// its error.
+  double start(const Eigen::VectorXd& right_side, Eigen::VectorXd& pressure) {
+    size_ = right_side.lpNorm<Eigen::Infinity>();
+    const double power = refresh(right_side, pressure);
+    if (power > 0)
+      return power;
+    pressure.setZero();
+    return refresh(right_side, pressure);
   }
 
-  /// The finest level has of the term its diagonal alone, which keeps its rows short: what the term does beyond is
-  /// smooth, and the coarser levels have it.
-  const FlowMatrix& finest(const FlowMatrix& matrix) {
-    const FlowMatrix* finest = &matrix;
-    if (term_ != nullptr && !term_->empty()) {
-      with_diagonal_ = matrix;
-      with_diagonal_.diagonal() += diagonal(*term_);
-      finest = &with_diagonal_;
+  /// residual = (b - A p) / size; returns p.(b + residual).
+  double refresh(const Eigen::VectorXd& right_side, const Eigen::VectorXd& pressure) {
+    const int* start = matrix_->outerIndexPtr();
+    const int* column = matrix_->innerIndexPtr();
+    const double* value = matrix_->valuePtr();
+    const double into = 1 / size_;
+    double power = 0;
+    for (Eigen::Index i = 0; i < right_side.size(); ++i) {
+      double rest = right_side[i];
+      for (int e = start[i]; e < start[i + 1]; ++e)
+        rest -= value[e] * pressure[column[e]];
+      residual_[i] = static_cast<float>(into * rest);
+      power += pressure[i] * (right_side[i] + rest);
     }
-    return *finest;
+    return power;
   }
 
-  /// Adds the level below the last one, which is that of the matrix. Whether there is one.
-  template <class Value>
-  bool coarsen(const MatrixView<Value>& fine, double scale, MultigridLevel<Value>& level,
-               const GramTerm* term = nullptr) {
-    Interpolation from_coarser = interpolation(fine);
-    if (from_coarser.coarse_rows == 0)
-      return false;
-    SparseRows coarse =
-        coarse_matrix(fine, from_coarser, scale, term != nullptr ? coarse_term(*term, from_coarser) : GramTerm{});
-    level.from_coarser = std::move(from_coarser.parents);
-    coarse_matrices_.push_back(std::move(coarse));
-    coarser_.emplace_back(view(coarse_matrices_.back()), 1);
-    return true;
+  /// pressure of the finest level = M residual; returns their scalar product.
+  double correct() {
+    finest().right_side = residual_;
+    cycle();
+    return residual_.cast<double>().dot(finest().pressure.cast<double>());
   }
 
-  void factor_coarsest() {
-    const SparseRows& coarsest = coarse_matrices_.back();
-    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(coarsest.rows(), coarsest.rows());
-    for (int i = 0; i < coarsest.rows(); ++i)
-      for (int e = coarsest.start[i]; e < coarsest.start[i + 1]; ++e)
-        dense(i, coarsest.column[e]) = coarsest.value[e];
-    coarsest_.compute(dense);
+  void advance(double length, Eigen::VectorXd& pressure) {
+    pressure += scale() * size_ * length * direction_.cast<double>();
+    residual_ -= static_cast<float>(length) * finest().product();
   }
 
-  void solve_coarsest() {
-    MultigridVectors& level = coarser_.back();
-    const auto rows = static_cast<Eigen::Index>(level.pressure.size());
-    const auto right_side = Eigen::Map<const Eigen::VectorXf>(level.right_side.data(), rows);
-    Eigen::Map<Eigen::VectorXf>(level.pressure.data(), rows) = coarsest_.solve(right_side.cast<double>()).cast<float>();
-  }
-
-  template <class Value>
-  void cycle(MultigridLevel<Value>& level, std::size_t depth) {
-    level.sweep_up_from_zero();
-    if (depth < coarser_.size()) {
-      level.restrict_residual_to(coarser_[depth]);
-      if (depth + 1 == coarser_.size())
-        solve_coarsest();
-      else
-        cycle(coarser_[depth], depth + 1);
-      level.take_correction_of(coarser_[depth]);
-    } else {
-      level.take_no_correction();
-    }
-    level.sweep_down();
-  }
-
-  const GramTerm* term_;
-  FlowMatrix with_diagonal_;
-  double scale_ = 1;
-  std::optional<MultigridLevel<double>> finest_;
-  std::vector<MultigridLevel<float>> coarser_; // from fine to coarse
-  std::vector<SparseRows> coarse_matrices_;    // theirs
-  Eigen::LDLT<Eigen::MatrixXd> coarsest_;
+  const FlowMatrix* matrix_ = nullptr;
+  double size_ = 0; // of the first residual, unit of all
+  Eigen::VectorXf residual_, direction_;
 };
 
 } // namespace
 
 std::unique_ptr<FlowSolver> make_multigrid(const Multigrid& parameters) {
-  return make_conjugate_gradients("multigrid", std::make_unique<VCycle>(), parameters.tolerance);
-}
-
-std::unique_ptr<Preconditioner> make_v_cycle(const GramTerm* term) {
-  return std::make_unique<VCycle>(term);
+  return make_conjugate_gradients("multigrid", std::make_unique<SinglePrecisionSteps>(), parameters.tolerance);
 }
 
 } // namespace pfv

@@ -4,6 +4,12 @@
 
 namespace pfv {
 
+/// What a preconditioner does for the answer by itself.
+struct Descent {
+  int steps = 0;
+  bool is_close = false; // to the tolerance
+};
+
 /// An approximate inverse M of a FlowMatrix, symmetric positive definite.
 class Preconditioner {
 public:
@@ -17,6 +23,12 @@ public:
   virtual void follow(const FlowMatrix&) {}
   /// correction = M residual; returns their scalar product.
   virtual double apply(const Eigen::VectorXd& residual, Eigen::VectorXd& correction) = 0;
+  /// From a first guess to the answer, as conjugate_gradients.hpp defines it, by means of its own that cost less than
+  /// `apply` and the steps of its caller, as far as they lead.
+  virtual Descent descend(const Eigen::VectorXd& /*right_side*/, Eigen::VectorXd& /*pressure*/, double /*tolerance*/,
+                          int /*most_steps*/) {
+    return {};
+  }
   /// Fills in factor_entries or operator_complexity, and memory_bytes.
   virtual void describe(SolverReport& report) const = 0;
 };

@@ -1,0 +1,58 @@
+#include "pfv/solvers/finest_level.hpp"
+
+namespace pfv {
+
+FinestLevel::FinestLevel(const MatrixView<double>& matrix, double scale) : MultigridLevel(matrix.rows()) {
+  follow(matrix, scale);
+}
+
+void FinestLevel::follow(const MatrixView<double>& matrix, double scale) {
+  matrix_.take(matrix, scale);
+  row_sum_.resize(rows());
+  for (int i = 0; i < matrix.rows(); ++i) {
+    const int last = matrix.start[i + 1];
+    int diagonal = matrix.start[i];
+    double sum = 0;
+    for (int e = diagonal; e < last; ++e) { // to the end: no branch to guess
+      diagonal += matrix.column[e] < i ? 1 : 0;
+      sum += matrix.value[e];
+    }
+    row_sum_[i] = static_cast<float>(scale * sum);
+    inverse_diagonal_[i] = static_cast<float>(1 / (scale * matrix.value[diagonal]));
+  }
+}
+
+void FinestLevel::sweep_up_from_zero() {
+  matrix_.ascending([this](int i, auto columns, auto values) {
+    const float p = right_side[i] * inverse_diagonal_[i];
+    pressure[i] = p;
+    right_side[i] = 0;
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      right_side[columns[k]] -= values[k] * p;
+  });
+}
+
+void FinestLevel::sweep_down() {
+  matrix_.descending([this](int i, auto columns, auto values) {
+    float rest = right_side[i];
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      rest -= values[k] * correction_[columns[k]];
+    const float correction = rest * inverse_diagonal_[i];
+    correction_[i] = correction;
+    pressure[i] += correction;
+  });
+}
+
+double FinestLevel::multiply(const Eigen::VectorXf& x) {
+  double power = 0;
+  matrix_.ascending([this, &x, &power](int i, auto columns, auto values) {
+    float sum = row_sum_[i] * x[i];
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      sum += values[k] * (x[columns[k]] - x[i]);
+    correction_[i] = sum;
+    power += static_cast<double>(sum) * x[i];
+  });
+  return power;
+}
+
+} // namespace pfv
