@@ -59,7 +59,19 @@ Triangulation regular_cells(std::span<const Sphere> spheres, const Vec3& size, c
     cell->info() = regular.is_infinite(cell) ? Triangulation::outside : count++;
   result.cells.resize(count);
   result.neighbours.resize(count);
-  for (const auto cell : regular.finite_cell_handles()) {
+  const auto& cells = regular.tds().cells();
+  auto ahead = cells.begin(); // what is read of the neighbours is on its way when its turn comes
+  constexpr int far_ahead = 12;
+  for (int k = 0; k < far_ahead && ahead != cells.end(); ++k)
+    ++ahead;
+  for (auto cell = cells.begin(); cell != cells.end(); ++cell) {
+    if (ahead != cells.end()) {
+      for (int v = 0; v < 4; ++v)
+        __builtin_prefetch(&ahead->neighbor(v)->info());
+      ++ahead;
+    }
+    if (cell->info() == Triangulation::outside)
+      continue;
     for (int v = 0; v < 4; ++v) {
       result.cells[cell->info()][v] = cell->vertex(v)->info();
       result.neighbours[cell->info()][v] = cell->neighbor(v)->info();

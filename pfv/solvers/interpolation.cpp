@@ -1,6 +1,10 @@
 #include "pfv/solvers/interpolation.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
+#include <type_traits>
 
 namespace pfv {
 namespace {
@@ -12,17 +16,19 @@ struct Clusters {
   std::vector<int> root;   // row by cluster
 };
 
-/// The column of the most negative entry of every row, or none.
+/// The column of the most negative entry of every row, or none. Compares bits, as a select by them is no branch, which
+/// nobody could guess: as unsigned numbers, those of negative values come after all others, the largest last.
 template <class Value>
 std::vector<int> strongest_neighbours(const MatrixView<Value>& matrix) {
+  using Bits = std::conditional_t<std::is_same_v<Value, double>, std::uint64_t, std::uint32_t>;
   std::vector<int> strongest(static_cast<std::size_t>(matrix.rows()), none);
   for (int i = 0; i < matrix.rows(); ++i) {
-    Value least = 0;
+    Bits most = std::bit_cast<Bits>(-Value{0});
     int neighbour = none;
     for (int e = matrix.start[i]; e < matrix.start[i + 1]; ++e) {
-      const bool is_stronger = matrix.value[e] < least;
-      least = is_stronger ? matrix.value[e] : least;
-      neighbour = is_stronger ? matrix.column[e] : neighbour;
+      const Bits strength = std::bit_cast<Bits>(matrix.value[e]);
+      neighbour = strength > most ? matrix.column[e] : neighbour;
+      most = std::max(most, strength);
     }
     strongest[i] = neighbour;
   }
@@ -78,29 +84,36 @@ public:
 
   Parents take() {
     constexpr float negligible = 0.2F;
-    Parents parents;
-    float first = 0, second = 0, sum = 0;
+    Candidate first = 0, second = 0;
+    float sum = 0;
     for (std::size_t k = 0; k < count_; ++k) {
       const int cluster = touched_[k];
       const float weight = weight_[cluster]; // zero when the cluster comes again
       weight_[cluster] = 0;
       sum += weight;
-      const bool is_first = weight > first, is_second = weight > second;
-      second = is_first ? first : is_second ? weight : second;
-      parents.row[1] = is_first ? parents.row[0] : is_second ? cluster : parents.row[1];
-      first = is_first ? weight : first;
-      parents.row[0] = is_first ? cluster : parents.row[0];
+      const Candidate candidate = candidate_of(cluster, weight);
+      second = std::max(second, std::min(first, candidate));
+      first = std::max(first, candidate);
     }
     count_ = 0;
-    const bool alone = second <= negligible * first;
-    second = alone ? 0 : second;
-    parents.row[1] = alone ? parents.row[0] : parents.row[1];
-    const float scale = first > 0 ? sum / (first + second) : 0;
-    parents.weight = {scale * first, scale * second};
-    return parents;
+    const float most = weight_of(first), more = weight_of(second);
+    const bool alone = more <= negligible * most;
+    const float scale = most > 0 ? sum / (most + (alone ? 0 : more)) : 0;
+    return {{cluster_of(first), cluster_of(alone ? first : second)}, {scale * most, alone ? 0 : scale * more}};
   }
 
 private:
+  /// A weight and its cluster. Its order is that of the weights, where they are positive, and others come before.
+  using Candidate = std::int64_t;
+
+  static Candidate candidate_of(int cluster, float weight) {
+    return Candidate{std::bit_cast<std::int32_t>(weight)} << 32 | Candidate{cluster};
+  }
+  static float weight_of(Candidate candidate) {
+    return std::bit_cast<float>(static_cast<std::int32_t>(candidate >> 32));
+  }
+  static int cluster_of(Candidate candidate) { return static_cast<int>(candidate); }
+
   std::vector<float> weight_; // by cluster
   std::vector<int> touched_;  // the first `count_`
   std::size_t count_ = 0;
