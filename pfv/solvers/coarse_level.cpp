@@ -3,10 +3,12 @@
 namespace pfv {
 
 CoarseLevel::CoarseLevel(SparseRows matrix) : MultigridLevel(matrix.rows()), matrix_(std::move(matrix)) {
-  for (int i = 0; i < rows(); ++i)
-    for (int e = matrix_.start[i]; e < matrix_.start[i + 1]; ++e)
-      if (matrix_.column[e] == i && matrix_.value[e] > 0) // else the sum has cancelled to nothing
-        inverse_diagonal_[i] = 1 / matrix_.value[e];
+  for (int i = 0; i < rows(); ++i) {
+    float diagonal = 0;
+    for (int e = matrix_.start[i]; e < matrix_.start[i + 1]; ++e) // no branch to guess
+      diagonal += matrix_.column[e] == i ? matrix_.value[e] : 0;
+    inverse_diagonal_[i] = diagonal > 0 ? 1 / diagonal : 0; // else the sum has cancelled to nothing
+  }
 }
 
 void CoarseLevel::sweep_up_from_zero() {

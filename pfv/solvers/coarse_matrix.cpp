@@ -1,5 +1,6 @@
 #include "pfv/solvers/coarse_matrix.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
 
@@ -48,28 +49,17 @@ public:
     sum.row = row_;
   }
 
-  /// In the order of a MatrixView: left of the diagonal, diagonal, right of it.
   void move_to(SparseRows& matrix) {
-    const std::size_t first = matrix.column.size(), end = first + count_;
-    matrix.column.resize(end);
-    matrix.value.resize(end);
-    const auto diagonal = static_cast<float>(sums_[row_].value);
-    std::size_t left = first, right = end;
+    const std::size_t first = matrix.column.size();
+    matrix.column.resize(first + count_);
+    matrix.value.resize(first + count_);
     for (std::size_t k = 0; k < count_; ++k) {
-      const int column = columns_[k];
-      const bool is_right = column > row_;
-      const std::size_t place = is_right ? right - 1 : left;
-      matrix.column[place] = column;
-      matrix.value[place] = static_cast<float>(sums_[column].value);
-      sums_[column].value = 0;
-      left += column < row_ ? 1 : 0;
-      right -= is_right ? 1 : 0;
+      Sum& sum = sums_[columns_[k]];
+      matrix.column[first + k] = columns_[k];
+      matrix.value[first + k] = static_cast<float>(sum.value);
+      sum.value = 0;
     }
-    if (left < right) {
-      matrix.column[left] = row_;
-      matrix.value[left] = diagonal;
-    }
-    matrix.start.push_back(static_cast<int>(end));
+    matrix.start.push_back(static_cast<int>(first + count_));
     ++row_;
     count_ = 0;
   }
@@ -84,6 +74,48 @@ private:
   std::size_t count_ = 0;
   std::vector<int> columns_; // the first `count_`, each once
   std::vector<Sum> sums_;    // by column; zero but for this row
+};
+
+/// Puts rows of one length next to each other, 64 at a time: they stay near in memory, and where a row ends is no
+/// surprise to loops over them.
+class RowOrder {
+public:
+  explicit RowOrder(int rows) : place_(static_cast<std::size_t>(rows)) {}
+
+  /// The rows of the matrix from the last call on.
+  void arrange_new_rows(SparseRows& matrix) {
+    const int rows = matrix.rows(), first = matrix.start[done_];
+    column_.assign(matrix.column.begin() + first, matrix.column.end());
+    value_.assign(matrix.value.begin() + first, matrix.value.end());
+    start_.assign(matrix.start.begin() + done_, matrix.start.end());
+    by_length_.resize(static_cast<std::size_t>(rows - done_));
+    std::iota(by_length_.begin(), by_length_.end(), 0);
+    std::ranges::stable_sort(by_length_, {}, [this](int row) { return start_[row + 1] - start_[row]; });
+    int end = first, place = done_;
+    for (const int row : by_length_) {
+      place_[done_ + row] = place++;
+      const int begin = start_[row] - first, count = start_[row + 1] - start_[row];
+      std::copy_n(column_.begin() + begin, count, matrix.column.begin() + end);
+      std::copy_n(value_.begin() + begin, count, matrix.value.begin() + end);
+      end += count;
+      matrix.start[place] = end;
+    }
+    done_ = rows;
+  }
+
+  void renumber(SparseRows& matrix, Interpolation& interpolation) const {
+    for (int& column : matrix.column)
+      column = place_[column];
+    for (Parents& parents : interpolation.parents)
+      for (int& row : parents.row)
+        row = place_[row];
+  }
+
+private:
+  int done_ = 0;
+  std::vector<int> place_; // by row as it came
+  std::vector<int> by_length_, start_, column_;
+  std::vector<float> value_;
 };
 
 /// Asks for what the children after a place will read, which nobody else can guess. Inline, as a function that does
@@ -105,14 +137,15 @@ template <class Value>
 } // namespace
 
 template <class Value>
-SparseRows coarse_matrix(const MatrixView<Value>& fine, const Interpolation& interpolation, double scale,
-                         const GramTerm& term) {
+SparseRows coarse_matrix(const MatrixView<Value>& fine, Interpolation& interpolation, double scale, const GramTerm& term) {
+  constexpr int rows_together = 64;
   const SparseRows restriction = children(interpolation);
   SparseRows coarse;
   coarse.start.reserve(static_cast<std::size_t>(interpolation.coarse_rows) + 1);
   coarse.column.reserve(fine.column.size()); // what stays unused is never touched, so takes no memory
   coarse.value.reserve(fine.column.size());
   RowSum sum(interpolation.coarse_rows);
+  RowOrder order(interpolation.coarse_rows);
   for (int row = 0; row < interpolation.coarse_rows; ++row) {
     for (int r = restriction.start[row]; r < restriction.start[row + 1]; ++r) {
       const int i = restriction.column[r];
@@ -134,11 +167,15 @@ SparseRows coarse_matrix(const MatrixView<Value>& fine, const Interpolation& int
           sum.add(term.by_block.entry[e].index, scale * value.dot(term.by_block.entry[e].value));
       }
     sum.move_to(coarse);
+    if (coarse.rows() % rows_together == 0)
+      order.arrange_new_rows(coarse);
   }
+  order.arrange_new_rows(coarse);
+  order.renumber(coarse, interpolation);
   return coarse;
 }
 
-template SparseRows coarse_matrix(const MatrixView<double>&, const Interpolation&, double, const GramTerm&);
-template SparseRows coarse_matrix(const MatrixView<float>&, const Interpolation&, double, const GramTerm&);
+template SparseRows coarse_matrix(const MatrixView<double>&, Interpolation&, double, const GramTerm&);
+template SparseRows coarse_matrix(const MatrixView<float>&, Interpolation&, double, const GramTerm&);
 
 } // namespace pfv

@@ -7,7 +7,7 @@ namespace pfv {
 
 /// scale (P' A P + S) (Galerkin), summed in double precision. S, of the coarse rows, may be empty.
 template <class Value>
-SparseRows coarse_matrix(const MatrixView<Value>& fine, const Interpolation& interpolation, double scale = 1,
+SparseRows coarse_matrix(const MatrixView<Value>& fine, Interpolation& interpolation, double scale = 1,
                          const GramTerm& term = {});
 
 } // namespace pfv

@@ -136,10 +136,10 @@ Interpolation interpolation(const MatrixView<Value>& matrix) {
       continue;
     }
     const int first = matrix.start[i], last = matrix.start[i + 1];
-    int diagonal = first; // counted, not searched for
-    for (int e = first; e < last; ++e)
-      diagonal += matrix.column[e] < i ? 1 : 0;
-    if (diagonal == last || matrix.column[diagonal] != i || !(matrix.value[diagonal] > 0))
+    int diagonal = first;
+    for (int e = first; e < last; ++e) // to the end: no branch to guess
+      diagonal = matrix.column[e] == i ? e : diagonal;
+    if (first == last || matrix.column[diagonal] != i || !(matrix.value[diagonal] > 0))
       continue; // rounding has left nothing of it
     const Value scale = -1 / matrix.value[diagonal];
     two_largest.expect(last - first);
