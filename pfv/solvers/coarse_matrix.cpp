@@ -88,19 +88,26 @@ public:
     column_.assign(matrix.column.begin() + first, matrix.column.end());
     value_.assign(matrix.value.begin() + first, matrix.value.end());
     start_.assign(matrix.start.begin() + done_, matrix.start.end());
-    by_length_.resize(static_cast<std::size_t>(rows - done_));
-    std::iota(by_length_.begin(), by_length_.end(), 0);
-    std::ranges::stable_sort(by_length_, {}, [this](int row) { return start_[row + 1] - start_[row]; });
-    int end = first, place = done_;
-    for (const int row : by_length_) {
-      place_[done_ + row] = place++;
-      const int begin = start_[row] - first, count = start_[row + 1] - start_[row];
-      std::copy_n(column_.begin() + begin, count, matrix.column.begin() + end);
-      std::copy_n(value_.begin() + begin, count, matrix.value.begin() + end);
-      end += count;
-      matrix.start[place] = end;
+    const auto length = [this](int row) { return start_[row + 1] - start_[row]; };
+    row_.resize(static_cast<std::size_t>(rows - done_));
+    next_.clear(); // by length
+    for (int row = 0; row < rows - done_; ++row) {
+      next_.resize(std::max(next_.size(), static_cast<std::size_t>(length(row)) + 2));
+      ++next_[length(row) + 1];
     }
-    done_ = rows;
+    std::partial_sum(next_.begin(), next_.end(), next_.begin());
+    for (int row = 0; row < rows - done_; ++row) {
+      const int place = next_[length(row)]++;
+      place_[done_ + row] = done_ + place;
+      row_[place] = row;
+    }
+    int end = first;
+    for (const int row : row_) {
+      std::copy_n(column_.begin() + (start_[row] - first), length(row), matrix.column.begin() + end);
+      std::copy_n(value_.begin() + (start_[row] - first), length(row), matrix.value.begin() + end);
+      end += length(row);
+      matrix.start[++done_] = end;
+    }
   }
 
   void renumber(SparseRows& matrix, Interpolation& interpolation) const {
@@ -114,7 +121,7 @@ public:
 private:
   int done_ = 0;
   std::vector<int> place_; // by row as it came
-  std::vector<int> by_length_, start_, column_;
+  std::vector<int> row_, next_, start_, column_;
   std::vector<float> value_;
 };
 

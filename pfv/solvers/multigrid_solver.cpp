@@ -36,11 +36,11 @@ public:
     if (size_ == 0)
       return {0, true};
     const double unit = scale() * size_ * size_; // of the powers of the finest level
-    double error = 1, old_error = 1, error_when_fresh = 0;
+    double old_error = 1, error_when_fresh = 0;
     direction_.setZero();
     bool is_fresh = true; // the residual
     for (most_steps = std::min(most_steps, most_single_steps); descent.steps < most_steps && !descent.is_close;) {
-      error = correct();
+      const double error = correct();
       const bool has_stalled = is_fresh && descent.steps > 0 && !(error < error_when_fresh);
       direction_ = finest().pressure + static_cast<float>(error / old_error) * direction_;
       const double curvature = finest().multiply(direction_);
@@ -53,7 +53,8 @@ public:
       const double bound = tolerance * tolerance * power;
       descent.is_close = is_fresh && unit * error <= bound;
       error_when_fresh = is_fresh ? error : error_when_fresh;
-      is_fresh = error <= reliable * reliable * error_when_fresh || unit * error <= nearly * bound;
+      const double next_error = error * std::min(error / old_error, 1.0);
+      is_fresh = error <= reliable * reliable * error_when_fresh || unit * next_error <= nearly * bound;
       if (is_fresh && !descent.is_close)
         refresh(right_side, pressure);
       old_error = error;
@@ -64,7 +65,7 @@ public:
 private:
   static constexpr int most_single_steps = 100;
   static constexpr double reliable = 1e-5; // error left when residuals in single precision are no longer trusted
-  static constexpr double nearly = 20;    // times the bound: the next step may be the last one
+  static constexpr double nearly = 3;      // times the bound: the next step may be the last one
 
   /// Drops a guess that is worse than none. Sets size_ and the residual; returns the power of the pressure less that of
   /// its error.
