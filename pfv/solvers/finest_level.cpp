@@ -1,5 +1,9 @@
 #include "pfv/solvers/finest_level.hpp"
 
+#include "pfv/problem/error.hpp"
+
+#include <fmt/format.h>
+
 namespace pfv {
 
 FinestLevel::FinestLevel(const MatrixView<double>& matrix, double scale) : MultigridLevel(matrix.rows()) {
@@ -7,19 +11,10 @@ FinestLevel::FinestLevel(const MatrixView<double>& matrix, double scale) : Multi
 }
 
 void FinestLevel::follow(const MatrixView<double>& matrix, double scale) {
-  matrix_.take(matrix, scale);
-  row_sum_.resize(rows());
-  for (int i = 0; i < matrix.rows(); ++i) {
-    const int last = matrix.start[i + 1];
-    int diagonal = matrix.start[i];
-    double sum = 0;
-    for (int e = diagonal; e < last; ++e) { // to the end: no branch to guess
-      diagonal += matrix.column[e] < i ? 1 : 0;
-      sum += matrix.value[e];
-    }
-    row_sum_[i] = static_cast<float>(scale * sum);
-    inverse_diagonal_[i] = static_cast<float>(1 / (scale * matrix.value[diagonal]));
-  }
+  matrix_.take(matrix, scale, inverse_diagonal_, row_sum_);
+  if (const float least = rows() > 0 ? inverse_diagonal_.minCoeff() : 1; !(least > 0))
+    throw SolveError(fmt::format("multigrid: the diagonal of the matrix falls to {} of its largest entry", least));
+  inverse_diagonal_ = inverse_diagonal_.cwiseInverse();
 }
 
 void FinestLevel::sweep_up_from_zero() {

@@ -8,7 +8,7 @@ namespace pfv {
 /// A p = b on the finest level, which takes most of the time.
 class FinestLevel : public MultigridLevel {
 public:
-  /// A is `scale` times the matrix, of positive diagonal, rounded to single precision.
+  /// A is `scale` times the matrix, rounded to single precision. Throws SolveError when its diagonal is not positive.
   FinestLevel(const MatrixView<double>& matrix, double scale);
 
   /// The same pattern with new values.
@@ -28,7 +28,7 @@ public:
 
 private:
   ShortRows matrix_;
-  Eigen::VectorXf row_sum_; // in double precision: what is left of an inner pore's row would be rounding
+  Eigen::VectorXf row_sum_;
 };
 
 } // namespace pfv

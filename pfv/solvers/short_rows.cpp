@@ -2,7 +2,10 @@
 
 namespace pfv {
 
-void ShortRows::take(const MatrixView<double>& matrix, double scale) {
+void ShortRows::take(const MatrixView<double>& matrix, double scale, Eigen::VectorXf& diagonal,
+                     Eigen::VectorXf& sum) {
+  diagonal.resize(matrix.rows());
+  sum.resize(matrix.rows());
   columns_.resize(places * static_cast<std::size_t>(matrix.rows()));
   values_.resize(columns_.size());
   long_row_.clear();
@@ -13,26 +16,35 @@ void ShortRows::take(const MatrixView<double>& matrix, double scale) {
   std::array<float, places + 1> values{};
   for (int i = 0; i < matrix.rows(); ++i) {
     const int first = matrix.start[i], last = matrix.start[i + 1];
+    const bool is_short = static_cast<std::size_t>(last - first) <= places + 1;
     std::size_t count = 0;
-    if (static_cast<std::size_t>(last - first) <= places + 1)
-      for (int e = first; e < last; ++e) {
-        columns[count] = matrix.column[e];
-        values[count] = static_cast<float>(scale * matrix.value[e]);
-        count += matrix.column[e] != i ? 1 : 0;
+    int at_diagonal = first; // counted, without a branch to guess
+    double row_sum = 0;
+    for (int e = first; e < last; ++e) {
+      const int column = matrix.column[e];
+      const auto value = static_cast<float>(scale * matrix.value[e]);
+      at_diagonal += column < i ? 1 : 0;
+      row_sum += matrix.value[e];
+      if (is_short) {
+        columns[count] = column;
+        values[count] = value;
+        count += column != i ? 1 : 0;
+      } else if (column != i) {
+        long_.column.push_back(column);
+        long_.value.push_back(value);
       }
-    else {
-      for (int e = first; e < last; ++e)
-        if (matrix.column[e] != i) {
-          long_.column.push_back(matrix.column[e]);
-          long_.value.push_back(static_cast<float>(scale * matrix.value[e]));
-        }
-      long_.start.push_back(static_cast<int>(long_.column.size()));
-      long_row_.push_back(i);
     }
     for (std::size_t k = 0; k < places; ++k) {
       columns_[places * i + k] = k < count ? columns[k] : i;
       values_[places * i + k] = k < count ? values[k] : 0;
     }
+    if (!is_short) {
+      long_.start.push_back(static_cast<int>(long_.column.size()));
+      long_row_.push_back(i);
+    }
+    const bool has_diagonal = at_diagonal < last && matrix.column[at_diagonal] == i;
+    diagonal[i] = has_diagonal ? static_cast<float>(scale * matrix.value[at_diagonal]) : 0;
+    sum[i] = static_cast<float>(scale * row_sum);
   }
 }
 

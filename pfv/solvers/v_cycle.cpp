@@ -10,13 +10,13 @@ namespace {
 
 constexpr int coarsest_rows = 100;
 
-/// Single precision has a narrow range.
+/// Single precision has a narrow range. The largest entry is on the diagonal, if the matrix is positive definite.
 double scale_of(const FlowMatrix& matrix) {
-  const Eigen::VectorXd diagonal = matrix.diagonal();
-  if (!(diagonal.minCoeff() > 0))
-    throw SolveError(
-        fmt::format("multigrid: the matrix is not positive definite, {} on its diagonal", diagonal.minCoeff()));
-  return 1 / diagonal.maxCoeff();
+  const auto values = Eigen::Map<const Eigen::VectorXd>(matrix.valuePtr(), matrix.nonZeros());
+  const double most = values.size() > 0 ? values.maxCoeff() : 0;
+  if (!(most > 0))
+    throw SolveError(fmt::format("multigrid: the matrix is not positive definite, its largest entry is {}", most));
+  return 1 / most;
 }
 
 /// The level below one, of which `matrix` is the matrix. None when no unknown has a neighbour.
