@@ -6,10 +6,17 @@
 
 namespace pfv {
 
-Clock::Timing::Timing(Clock& clock, std::size_t stage) : clock_(clock), stage_(stage), start_(process_cpu_seconds()) {}
+Clock::Timing::Timing(Clock& clock, std::size_t stage)
+    : clock_(clock), stage_(stage), around_(clock.innermost_), start_(process_cpu_seconds()) {
+  clock_.innermost_ = this;
+}
 
 Clock::Timing::~Timing() {
-  clock_.stages_[stage_].cpu_seconds += process_cpu_seconds() - start_;
+  const double spent = process_cpu_seconds() - start_;
+  clock_.stages_[stage_].cpu_seconds += spent - within_;
+  if (around_ != nullptr)
+    around_->within_ += spent;
+  clock_.innermost_ = around_;
 }
 
 Clock::Timing Clock::stage(const std::string& name) {

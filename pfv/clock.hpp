@@ -13,7 +13,8 @@ struct Stage {
   bool operator==(const Stage&) const = default;
 };
 
-/// CPU seconds by named stage, in order of first appearance; a stage that runs twice accumulates.
+/// CPU seconds by named stage, in order of first appearance; a stage that runs twice accumulates. What a stage within a
+/// stage takes is its own alone.
 ///   Clock clock;
 ///   { auto timing = clock.stage("triangulate"); ... }
 class Clock {
@@ -28,7 +29,9 @@ public:
   private:
     Clock& clock_;
     std::size_t stage_;
+    Timing* around_;
     double start_;
+    double within_ = 0; // spent in stages within this one
   };
 
   [[nodiscard]] Timing stage(const std::string& name);
@@ -38,6 +41,7 @@ public:
 private:
   std::size_t find_or_append(const std::string& name);
   std::vector<Stage> stages_;
+  Timing* innermost_ = nullptr;
 };
 
 /// CPU seconds of this process so far, user and system, all threads.

@@ -34,9 +34,9 @@ struct SteadyFlow {
   double imbalance() const;
 };
 
-/// Steady flow through a fixed packing and its forces: stages `triangulate`, `geometry`, `conductances`, `assemble`,
-/// `factor`, `solve`, `forces`. The case must be valid. Throws InputError when the pressure has no level, and
-/// SolveError.
+/// Steady flow through a fixed packing and its forces: stages `cells`, `triangulate`, `geometry`, `conductances`,
+/// `assemble`, `factor`, `solve`, `forces`. The case must be valid. Throws InputError when the pressure has no level,
+/// and SolveError.
 SteadyFlow solve_steady_flow(const Case& problem, const FlowOptions& options, Clock& clock);
 
 /// Steady flow through a packing whose spheres move: the first flow as solve_steady_flow gives it, the following ones

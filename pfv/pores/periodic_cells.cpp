@@ -214,7 +214,7 @@ void drop_unused(Triangulation& cells) {
 
 } // namespace
 
-Triangulation periodic_cells(const Packing& in_units, const PeriodicAxes& periodic) {
+Triangulation periodic_cells(const Packing& in_units, const PeriodicAxes& periodic, Clock& clock) {
   const Packing packing = on_grid(in_units);
   double largest_radius = 0;
   for (const auto& sphere : packing.spheres)
@@ -223,7 +223,7 @@ Triangulation periodic_cells(const Packing& in_units, const PeriodicAxes& period
   const double widest = 4 * packing.box.size().norm();
   for (double margin = 2 * (spacing + largest_radius);; margin *= 2) {
     Sites sites = with_images(packing, periodic, margin);
-    const Triangulation all = regular_cells(sites.spheres, packing.box.size(), periodic);
+    const Triangulation all = regular_cells(sites.spheres, packing.box.size(), periodic, clock);
     const auto uncertain = [&](const std::array<Vertex, 4>& cell) {
       return sites.shift[lowest(sites, cell)] == Shift{} &&
              !is_certain(packing, periodic, margin, largest_radius, sites, cell);

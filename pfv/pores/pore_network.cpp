@@ -110,8 +110,8 @@ double PoreNetwork::porosity() const {
 PoreNetwork build_pore_network(const Packing& packing, const PeriodicAxes& periodic, Clock& clock, bool openings) {
   Triangulation cells;
   {
-    const auto timing = clock.stage("triangulate");
-    cells = triangulate(packing, periodic);
+    const auto timing = clock.stage("cells");
+    cells = triangulate(packing, periodic, clock);
   }
   const auto timing = clock.stage("geometry");
   PoreNetwork network = topology(packing, periodic, std::move(cells));

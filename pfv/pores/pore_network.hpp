@@ -96,9 +96,9 @@ struct PoreNetwork {
 
 /// Pores and throats of a packing. The faces across axes that are not periodic are in their exact limit as planes: a
 /// pore at a wall is a prism that ends on it and a throat through it half of the throat between the packing and its
-/// mirror image. Stages `triangulate` and `geometry`. With openings, which some conductance rules read, throats also
-/// have their area, gap and contrast. Throws SolveError when a pore is so flat that its centre is not finite, or when
-/// the triangulation of a periodic box does not repeat.
+/// mirror image. Stages `cells`, `triangulate` and `geometry`. With openings, which some conductance rules read,
+/// throats also have their area, gap and contrast. Throws SolveError when a pore is so flat that its centre is not
+/// finite, or when the triangulation of a periodic box does not repeat.
 PoreNetwork build_pore_network(const Packing& packing, const PeriodicAxes& periodic, Clock& clock,
                                bool openings = false);
 

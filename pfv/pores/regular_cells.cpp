@@ -47,11 +47,17 @@ std::vector<Site> sites_with_walls(std::span<const Sphere> spheres, const Vec3& 
   return sites;
 }
 
+Regular regular_triangulation(const std::vector<Site>& sites, Clock& clock) {
+  const auto timing = clock.stage("triangulate");
+  return {sites.begin(), sites.end()};
+}
+
 } // namespace
 
-Triangulation regular_cells(std::span<const Sphere> spheres, const Vec3& size, const PeriodicAxes& periodic) {
+Triangulation regular_cells(std::span<const Sphere> spheres, const Vec3& size, const PeriodicAxes& periodic,
+                            Clock& clock) {
   const auto sites = sites_with_walls(spheres, size, periodic);
-  const Regular regular(sites.begin(), sites.end());
+  const Regular regular = regular_triangulation(sites, clock);
 
   Triangulation result;
   int count = 0;

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace pfv {
 namespace {
@@ -24,7 +23,7 @@ Packing in_units(const Packing& packing) {
   return scaled;
 }
 
-/// Moves cell i to place place[i].
+/// Moves what is of cell i to place[i].
 template <typename T>
 void arrange(std::vector<T>& values, const std::vector<int>& place) {
   std::vector<T> arranged(values.size());
@@ -36,30 +35,17 @@ void arrange(std::vector<T>& values, const std::vector<int>& place) {
 /// Bar by bar and along each by the mean of the vertices: finer than the spheres, of which there are a sixth as many.
 void sort_cells(Triangulation& cells, const Packing& packing) {
   constexpr double steps_per_sphere = 3;
-  const Bars bars(packing);
-  const std::size_t most = cells.cells.size() / bars.size() + 1;
-  const std::size_t steps =
-      std::clamp<std::size_t>(static_cast<std::size_t>(steps_per_sphere * bars.spheres_along()), 1, most);
-  const auto step_of = [&](const std::array<Vertex, 4>& vertices) {
+  const auto mean = [&](std::size_t i) -> Vec3 {
     Vec3 sum = Vec3::Zero();
     int count = 0;
-    for (const Vertex v : vertices)
+    for (const Vertex v : cells.cells[i])
       if (!is_wall(v)) {
         sum += cells.sites.spheres[v].centre;
         ++count;
       }
-    const Vec3 mean = sum / count;
-    return bars.of(mean) * steps + bars.step(mean, steps);
+    return sum / count;
   };
-  std::vector<int> start(bars.size() * steps + 1, 0);
-  std::vector<int> place(cells.cells.size()); // first its step, then its place
-  for (std::size_t i = 0; i < place.size(); ++i) {
-    place[i] = static_cast<int>(step_of(cells.cells[i]));
-    ++start[place[i] + 1];
-  }
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  for (int& cell : place)
-    cell = start[cell]++;
+  const auto place = Bars(packing, steps_per_sphere).places(cells.cells.size(), mean);
   for (auto& cell : cells.neighbours)
     for (int& neighbour : cell)
       if (neighbour != Triangulation::outside)
@@ -83,15 +69,15 @@ void find_hidden(Triangulation& cells, std::size_t spheres) {
 
 } // namespace
 
-Triangulation triangulate(const Packing& packing, const PeriodicAxes& periodic) {
+Triangulation triangulate(const Packing& packing, const PeriodicAxes& periodic, Clock& clock) {
   const Packing scaled = in_units(packing);
   Triangulation cells;
   if (std::ranges::find(periodic, true) == periodic.end()) {
     Sites sites = sites_of(scaled);
-    cells = regular_cells(sites.spheres, scaled.box.size(), periodic);
+    cells = regular_cells(sites.spheres, scaled.box.size(), periodic, clock);
     cells.sites = std::move(sites);
   } else {
-    cells = periodic_cells(scaled, periodic);
+    cells = periodic_cells(scaled, periodic, clock);
   }
   sort_cells(cells, scaled);
   find_hidden(cells, packing.spheres.size());

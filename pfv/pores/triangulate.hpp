@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pfv/clock.hpp"
 #include "pfv/pores/sites.hpp"
 #include "pfv/pores/vertex.hpp"
 
@@ -29,6 +30,8 @@ struct Triangulation {
 /// repeat.
 ///
 /// Cells come bar by bar, see Bars, so that neighbours in space are near in memory.
-Triangulation triangulate(const Packing& packing, const PeriodicAxes& periodic = {});
+///
+/// What CGAL's triangulation itself takes is stage `triangulate`.
+Triangulation triangulate(const Packing& packing, const PeriodicAxes& periodic, Clock& clock);
 
 } // namespace pfv

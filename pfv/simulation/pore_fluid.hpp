@@ -51,9 +51,9 @@ struct FluidState {
 /// The fluid between grains that move: continuity in every pore, A p = - B v, as of eq. (10) of Catalano et al. 2011
 /// with SolidFlux for the rates of volume, and the forces B^T p.
 ///
-/// Stages `triangulate`, `geometry`, `conductances`, `assemble` as of solve_steady_flow, `volume rates`, `solve` and
-/// `forces`. A network is followed as grains move and built anew when they have moved too far or a facet has turned
-/// around; pressures are carried over.
+/// Stages `cells`, `triangulate`, `geometry`, `conductances`, `assemble` as of solve_steady_flow, `volume rates`,
+/// `solve` and `forces`. A network is followed as grains move and built anew when they have moved too far or a facet
+/// has turned around; pressures are carried over.
 class PoreFluid {
 public:
   /// In a steady flow; a fluid that no imposed pressure reaches is at the mean of these, or at zero without any. Throws

@@ -144,7 +144,8 @@ template <class Value>
 } // namespace
 
 template <class Value>
-SparseRows coarse_matrix(const MatrixView<Value>& fine, Interpolation& interpolation, double scale, const GramTerm& term) {
+SparseRows coarse_matrix(const MatrixView<Value>& fine, Interpolation& interpolation, double scale,
+                         const GramTerm& term) {
   constexpr int rows_together = 64;
   const SparseRows restriction = children(interpolation);
   SparseRows coarse;

@@ -7,9 +7,9 @@
 
 namespace pfv {
 
-/// Pressures of one level of a multigrid, in single precision, and how they go to the next coarser one and back. A V-cycle
-/// takes, in this order, a sweep up, a restriction, the correction of the coarser level and a sweep down; the sweeps
-/// are those of a FinestLevel or of a CoarseLevel.
+/// Pressures of one level of a multigrid, in single precision, and how they go to the next coarser one and back. A
+/// V-cycle takes, in this order, a sweep up, a restriction, the correction of the coarser level and a sweep down; the
+/// sweeps are those of a FinestLevel or of a CoarseLevel.
 class MultigridLevel {
 public:
   /// Without neighbours to take them from, all zero.

@@ -2,8 +2,7 @@
 
 namespace pfv {
 
-void ShortRows::take(const MatrixView<double>& matrix, double scale, Eigen::VectorXf& diagonal,
-                     Eigen::VectorXf& sum) {
+void ShortRows::take(const MatrixView<double>& matrix, double scale, Eigen::VectorXf& diagonal, Eigen::VectorXf& sum) {
   diagonal.resize(matrix.rows());
   sum.resize(matrix.rows());
   columns_.resize(places * static_cast<std::size_t>(matrix.rows()));

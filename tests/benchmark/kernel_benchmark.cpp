@@ -1,7 +1,6 @@
 // CPU time of each kernel by number of spheres, and per sphere: random packings, solid fraction .5, size ratio 1.5.
 #include "pfv/flow/fluid_forces.hpp"
 #include "pfv/flow/steady_flow.hpp"
-#include "pfv/pores/regular_cells.hpp"
 #include "pfv/pores/triangulate.hpp"
 #include "pfv/problem/generate.hpp"
 
@@ -37,19 +36,11 @@ void per_sphere(benchmark::State& state) {
       static_cast<double>(state.range(0)), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-/// CGAL's share of a triangulation.
-void cells(benchmark::State& state) {
-  const Made& of = made(state);
-  const Vec3 size = of.packing.box.size();
-  for (auto _ : state)
-    benchmark::DoNotOptimize(regular_cells(of.network.sites.spheres, size, {}));
-  per_sphere(state);
-}
-
 void triangulation(benchmark::State& state) {
   const Made& of = made(state);
+  Clock clock;
   for (auto _ : state)
-    benchmark::DoNotOptimize(triangulate(of.packing));
+    benchmark::DoNotOptimize(triangulate(of.packing, {}, clock));
   per_sphere(state);
 }
 
@@ -111,7 +102,6 @@ void small(benchmark::internal::Benchmark* benchmark) {
   benchmark->Arg(200)->Arg(2'000)->Arg(20'000)->Unit(benchmark::kMillisecond);
 }
 
-BENCHMARK(cells)->Apply(small_and_large);
 BENCHMARK(triangulation)->Apply(small_and_large);
 BENCHMARK(geometry)->Apply(small_and_large);
 BENCHMARK(conductance)->Apply(small_and_large);
