@@ -53,10 +53,8 @@ ThroatShape shape(const PoreNetwork::Throats& throats, std::size_t t, double wet
 template <typename Rule>
 PFV_VECTORISED void fill_interior(const Rule& rule, const PoreNetwork::Throats& throats, double viscosity,
                                   double smallest_area, double* __restrict__ values) {
-  for (std::size_t t = 0; t < throats.interior; ++t) {
-    const auto& wetted = throats.wetted_surface[t];
-    values[t] = conductance(rule, shape<Rule>(throats, t, wetted[0] + wetted[1] + wetted[2]), viscosity, smallest_area);
-  }
+  for (std::size_t t = 0; t < throats.interior; ++t)
+    values[t] = conductance(rule, shape<Rule>(throats, t, throats.wetted_surface[t]), viscosity, smallest_area);
 }
 
 template <typename Rule, typename Walls>
@@ -64,12 +62,12 @@ void fill_at_walls(const Rule& rule, const Walls& walls, const PoreNetwork& netw
                    double smallest_area, double* values) {
   const auto& throats = network.throats;
   for (std::size_t t = throats.interior; t < throats.size(); ++t) {
-    double wetted = 0;
+    double wetted = throats.wetted_surface[t];
     int cut_by = 0;
     const auto corners = network.corners(t);
     for (int c = 0; c < 3; ++c) {
       const bool wall = is_wall(corners[c]);
-      wetted += (wall ? walls.surface : 1) * throats.wetted_surface[t][c];
+      wetted += wall ? walls.surface * throats.wetted_parts[t][c] : 0;
       cut_by += wall;
     }
     const double value = conductance(rule, shape<Rule>(throats, t, wetted), viscosity, smallest_area);

@@ -15,7 +15,7 @@ struct FlowOptions {
   Conductance conductance = HydraulicRadius{};
   WallRule walls = MirrorWalls{};
   SolverChoice solver = AutoSolver{};
-  bool keep_shapes = true; // of throats, when the first flow has their conductances: 24 bytes each, 48 with openings
+  bool keep_shapes = true; // of throats, when the first flow has their conductances: 32 bytes each, 56 with openings
 };
 
 /// The choices by their names, where there is one.

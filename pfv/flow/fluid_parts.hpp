@@ -12,10 +12,9 @@ namespace pfv {
 inline std::array<double, 3> fluid_parts(const PoreNetwork& network, std::size_t throat,
                                          const std::array<Vertex, 3>& corners, const ThroatPlane& plane,
                                          double wall_share) {
-  std::array<double, 3> wetted = network.throats.wetted_surface[throat];
+  std::array<double, 3> wetted{};
   for (int c = 0; c < 3; ++c)
-    if (is_wall(corners[c]))
-      wetted[c] *= wall_share;
+    wetted[c] = (is_wall(corners[c]) ? wall_share : 1) * network.throats.wetted_parts[throat][c];
   const auto sum = [](const std::array<double, 3>& of) { return of[0] + of[1] + of[2]; };
   const auto& by = sum(wetted) > 0 ? wetted : plane.sector;
   const double total = sum(by), scale = total > 0 ? plane.fluid_area / total : 0;

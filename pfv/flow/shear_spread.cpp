@@ -16,12 +16,12 @@ Vec3 mirror(Face face, const FaceCondition& condition, const WallRule& walls) {
 
 /// m^2, what each corner wets of a throat; a wall as much as the spheres do in the mean.
 std::array<double, 3> wetted_surfaces(const PoreNetwork& network, std::size_t t, const std::array<Vertex, 3>& corner) {
-  std::array<double, 3> wetted = network.throats.wetted_surface[t];
+  std::array<double, 3> wetted{};
   double sum = 0;
   int spheres = 0;
   for (int c = 0; c < 3; ++c)
     if (!is_wall(corner[c])) {
-      wetted[c] = std::max(wetted[c], 0.0); // below 0 is where facets cut through each other
+      wetted[c] = std::max(network.throats.wetted_parts[t][c], 0.0F); // below 0 is where facets cut through each other
       sum += wetted[c];
       ++spheres;
     }

@@ -28,31 +28,40 @@ bool is_first_side(const Triangulation& cells, int i, int f) {
   return j > i || (j == i && cells.shifts[i][f] > Shift{});
 }
 
+/// Those through a wall come last. Whether a facet is listed from a cell nobody can guess, so each is written down and
+/// counted if it is.
 void list_throats(const Triangulation& cells, PoreNetwork::Throats& throats) {
-  const int count = static_cast<int>(cells.cells.size());
-  const auto add_all = [&](bool at_wall) {
-    for (int i = 0; i < count; ++i) {
-      const bool touches_wall = std::ranges::any_of(cells.cells[i], is_wall);
-      if (at_wall && !touches_wall)
-        continue;
-      for (int f = 0; f < 4; ++f) {
-        if (!is_first_side(cells, i, f))
-          continue;
-        if (touches_wall && std::ranges::any_of(facet_opposite(cells.cells[i], f), is_wall) != at_wall)
-          continue;
-        throats.pores.push_back({i, cells.neighbours[i][f]});
-        throats.facet.push_back(static_cast<std::uint8_t>(f));
-        if (!cells.shifts.empty())
-          throats.shift.push_back(cells.shifts[i][f]);
-      }
-    }
+  const std::size_t most = 2 * cells.cells.size() + 4; // facets have two sides, but for those of walls
+  throats.pores.resize(most);
+  throats.facet.resize(most);
+  throats.shift.resize(cells.shifts.empty() ? 0 : most);
+  std::size_t count = 0;
+  const auto list = [&](int i, int f, bool is_listed) {
+    throats.pores[count] = {i, cells.neighbours[i][f]};
+    throats.facet[count] = static_cast<std::uint8_t>(f);
+    if (!cells.shifts.empty())
+      throats.shift[count] = cells.shifts[i][f];
+    count += is_listed ? 1 : 0;
   };
-  throats.pores.reserve(2 * cells.cells.size());
-  throats.facet.reserve(2 * cells.cells.size());
-  add_all(false);
-  throats.interior = throats.pores.size();
-  add_all(true);
-  throats.wetted_surface.resize(throats.size());
+  const auto is_at_wall = [&](int i, int f) {
+    return std::ranges::any_of(facet_opposite(cells.cells[i], f), is_wall);
+  };
+  std::vector<int> at_walls;
+  for (int i = 0; i < static_cast<int>(cells.cells.size()); ++i) {
+    const bool touches_wall = std::ranges::any_of(cells.cells[i], is_wall);
+    if (touches_wall)
+      at_walls.push_back(i);
+    for (int f = 0; f < 4; ++f)
+      list(i, f, is_first_side(cells, i, f) && !(touches_wall && is_at_wall(i, f)));
+  }
+  throats.interior = count;
+  for (const int i : at_walls)
+    for (int f = 0; f < 4; ++f)
+      list(i, f, is_first_side(cells, i, f) && is_at_wall(i, f));
+  throats.pores.resize(count);
+  throats.facet.resize(count);
+  throats.shift.resize(cells.shifts.empty() ? 0 : count);
+  throats.wetted_parts.resize(count);
 }
 
 void list_wall_parts(PoreNetwork& network) {
@@ -91,7 +100,7 @@ bool PoreNetwork::Pores::touches(std::size_t pore, Face face) const {
 }
 
 void PoreNetwork::Throats::make_room_for_shapes(bool openings) {
-  for (auto* const shape : {&fluid_area, &length, &void_volume})
+  for (auto* const shape : {&fluid_area, &length, &void_volume, &wetted_surface})
     shape->resize(size());
   if (openings)
     for (auto* const opening : {&area, &gap, &contrast})
@@ -99,7 +108,7 @@ void PoreNetwork::Throats::make_room_for_shapes(bool openings) {
 }
 
 void PoreNetwork::Throats::forget_shapes() {
-  for (auto* const shape : {&fluid_area, &length, &void_volume, &area, &gap, &contrast})
+  for (auto* const shape : {&fluid_area, &length, &void_volume, &wetted_surface, &area, &gap, &contrast})
     *shape = std::vector<double>();
 }
 

@@ -53,13 +53,14 @@ struct PoreNetwork {
     std::vector<double> fluid_area;        // m^2, S_f: S less the sectors of the discs
     std::vector<double> length;            // m, l = (P_j - P_i).n
     std::vector<double> void_volume;       // m^3, Theta: of the bipyramid
-    std::vector<std::array<double, 3>> wetted_surface; // m^2, gamma by vertex; a wall has its own
+    std::vector<double> wetted_surface;    // m^2, gamma: of its spheres
+    std::vector<std::array<float, 3>> wetted_parts; // m^2, by vertex; a wall has its own. Single precision: shares
     std::vector<double> area;     // m^2, S: of the facet, solid included; empty unless openings were asked for
     std::vector<double> gap;      // see smallest_gap; likewise
     std::vector<double> contrast; // see pore_contrast; likewise
 
     std::size_t size() const { return pores.size(); }
-    /// Room for what conductances are computed from, fluid_area to void_volume, and with openings area, gap and
+    /// Room for what conductances are computed from, fluid_area to wetted_surface, and with openings area, gap and
     /// contrast.
     void make_room_for_shapes(bool openings);
     /// Frees that room.

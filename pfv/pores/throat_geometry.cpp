@@ -154,7 +154,7 @@ private:
     throats.fluid_area[t] = measures.plane.fluid_area;
     throats.length[t] = measures.length;
     throats.void_volume[t] = measures.behind.void_volume + measures.ahead.void_volume;
-    throats.wetted_surface[t] = measures.wetted;
+    double wetted_by_spheres = 0;
     if (!throats.area.empty())
       throats.area[t] = measures.plane.area;
     for (int c = 0; c < 3; ++c)
@@ -162,7 +162,11 @@ private:
         auto& [volume, wetted_surface] = network_.spheres.of_sites[corners[c]];
         volume += measures.ball[c];
         wetted_surface += measures.wetted[c];
+        wetted_by_spheres += measures.wetted[c];
       }
+    throats.wetted_surface[t] = wetted_by_spheres;
+    for (int c = 0; c < 3; ++c)
+      throats.wetted_parts[t][c] = static_cast<float>(measures.wetted[c]);
     if (measures.plane.fluid_area == 0 && is_facet(measures.plane.area, corners))
       ++network_.closed_throats;
     const auto [i, j] = throats.pores[t];

@@ -48,8 +48,7 @@ void sort_cells(Triangulation& cells, const Packing& packing) {
   const auto place = Bars(packing, steps_per_sphere).places(cells.cells.size(), mean);
   for (auto& cell : cells.neighbours)
     for (int& neighbour : cell)
-      if (neighbour != Triangulation::outside)
-        neighbour = place[neighbour];
+      neighbour = neighbour != Triangulation::outside ? place[neighbour] : Triangulation::outside;
   arrange(cells.cells, place);
   arrange(cells.neighbours, place);
   if (!cells.shifts.empty())

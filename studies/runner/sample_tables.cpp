@@ -41,16 +41,13 @@ void add_throats(const pfv::PoreNetwork& network, const std::vector<reference::P
   const auto& throats = network.throats;
   for (std::size_t t = 0; t < throats.size(); ++t) {
     int walls = 0;
-    double wetted = 0;
     const auto corners = network.corners(t);
     for (int c = 0; c < 3; ++c)
-      if (pfv::is_wall(corners[c]))
-        ++walls;
-      else
-        wetted += throats.wetted_surface[t][c];
+      walls += pfv::is_wall(corners[c]) ? 1 : 0;
     text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", finding.case_id, throats.pores[t][0], throats.pores[t][1],
                         walls, number(area(facets[t])), number(throats.fluid_area[t]), number(throats.void_volume[t]),
-                        number(wetted), number(throats.length[t]), number(finding.throat_fluxes->values[t]),
+                        number(throats.wetted_surface[t]), number(throats.length[t]),
+                        number(finding.throat_fluxes->values[t]),
                         number(throats.shift.empty() ? 0 : throats.shift[t][axis] * rise));
   }
 }
