@@ -60,6 +60,8 @@ Triangulation regular_cells(std::span<const Sphere> spheres, const Vec3& size, c
   const Regular regular = regular_triangulation(sites, clock);
 
   Triangulation result;
+  if (regular.dimension() < 3)
+    return result;
   int count = 0;
   for (const auto cell : regular.all_cell_handles())
     cell->info() = regular.is_infinite(cell) ? Triangulation::outside : count++;

@@ -2,19 +2,25 @@
 
 #include "pfv/pores/bars.hpp"
 
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
 namespace pfv {
 
 Sites sites_of(const Packing& packing) {
-  constexpr double steps_per_sphere = 4;
-  const auto place = Bars(packing, steps_per_sphere).places(packing.spheres.size(), [&](std::size_t k) -> const Vec3& {
-    return packing.spheres[k].centre;
-  });
+  std::vector<std::pair<std::uint64_t, int>> order;
+  order.reserve(packing.spheres.size());
+  const Bars bars(packing);
+  for (std::size_t k = 0; k < packing.spheres.size(); ++k)
+    order.emplace_back(bars.along(packing.spheres[k].centre), static_cast<int>(k));
+  std::ranges::sort(order);
   Sites sites;
-  sites.spheres.resize(place.size());
-  sites.number.resize(place.size());
-  for (std::size_t k = 0; k < place.size(); ++k) {
-    sites.spheres[place[k]] = packing.spheres[k];
-    sites.number[place[k]] = static_cast<int>(k);
+  sites.spheres.reserve(order.size());
+  sites.number.reserve(order.size());
+  for (const auto& [code, k] : order) {
+    sites.spheres.push_back(packing.spheres[k]);
+    sites.number.push_back(k);
   }
   return sites;
 }

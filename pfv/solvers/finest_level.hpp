@@ -18,6 +18,8 @@ public:
     return MultigridLevel::memory_bytes() + matrix_.memory_bytes() + sizeof(float) * static_cast<std::size_t>(rows());
   }
 
+  const ShortRows& matrix() const { return matrix_; }
+
   /// As those of a CoarseLevel.
   void sweep_up_from_zero();
   void sweep_down();

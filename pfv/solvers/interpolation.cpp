@@ -4,7 +4,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 
 namespace pfv {
 namespace {
@@ -18,20 +17,19 @@ struct Clusters {
 
 /// The column of the most negative entry of every row, or none. Compares bits, as a select by them is no branch, which
 /// nobody could guess: as unsigned numbers, those of negative values come after all others, the largest last.
-template <class Value>
-std::vector<int> strongest_neighbours(const MatrixView<Value>& matrix) {
-  using Bits = std::conditional_t<std::is_same_v<Value, double>, std::uint64_t, std::uint32_t>;
+template <class Rows>
+std::vector<int> strongest_neighbours(const Rows& matrix) {
   std::vector<int> strongest(static_cast<std::size_t>(matrix.rows()), none);
-  for (int i = 0; i < matrix.rows(); ++i) {
-    Bits most = std::bit_cast<Bits>(-Value{0});
+  matrix.ascending([&](int i, auto columns, auto values) {
+    auto most = std::bit_cast<std::uint32_t>(-0.0F);
     int neighbour = none;
-    for (int e = matrix.start[i]; e < matrix.start[i + 1]; ++e) {
-      const Bits strength = std::bit_cast<Bits>(matrix.value[e]);
-      neighbour = strength > most ? matrix.column[e] : neighbour;
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      const auto strength = std::bit_cast<std::uint32_t>(values[k]);
+      neighbour = strength > most ? columns[k] : neighbour;
       most = std::max(most, strength);
     }
     strongest[i] = neighbour;
-  }
+  });
   return strongest;
 }
 
@@ -72,9 +70,9 @@ public:
   explicit TwoLargest(std::size_t clusters) : weight_(clusters, 0) {}
 
   /// Makes room for so many calls of `add`.
-  void expect(int weights) {
-    if (touched_.size() < static_cast<std::size_t>(weights))
-      touched_.resize(static_cast<std::size_t>(weights));
+  void expect(std::size_t weights) {
+    if (touched_.size() < weights)
+      touched_.resize(weights);
   }
 
   void add(int cluster, float weight) {
@@ -121,39 +119,30 @@ private:
 
 } // namespace
 
-template <class Value>
-Interpolation interpolation(const MatrixView<Value>& matrix) {
+template <class Rows>
+Interpolation interpolation(const Rows& matrix, const Eigen::VectorXf& inverse_diagonal) {
   const Clusters clusters = follow_strongest(strongest_neighbours(matrix));
   Interpolation result{std::vector<Parents>(static_cast<std::size_t>(matrix.rows())),
                        static_cast<int>(clusters.root.size())};
   TwoLargest two_largest(clusters.root.size());
-  for (int i = 0; i < matrix.rows(); ++i) {
+  matrix.ascending([&](int i, auto columns, auto values) {
     const int cluster = clusters.of_row[i];
     if (cluster == none)
-      continue;
+      return;
     if (clusters.root[cluster] == i) {
       result.parents[i] = {{cluster, cluster}, {1, 0}};
-      continue;
+      return;
     }
-    const int first = matrix.start[i], last = matrix.start[i + 1];
-    int diagonal = first;
-    for (int e = first; e < last; ++e) // to the end: no branch to guess
-      diagonal = matrix.column[e] == i ? e : diagonal;
-    if (first == last || matrix.column[diagonal] != i || !(matrix.value[diagonal] > 0))
-      continue; // rounding has left nothing of it
-    const Value scale = -1 / matrix.value[diagonal];
-    two_largest.expect(last - first);
-    for (int e = first; e < last; ++e) {
-      const auto weight = static_cast<float>(scale * matrix.value[e]);
-      if (const int of_neighbour = clusters.of_row[matrix.column[e]]; of_neighbour != none)
-        two_largest.add(of_neighbour, e == diagonal ? 0 : weight);
-    }
+    two_largest.expect(columns.size());
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      if (const int of_neighbour = clusters.of_row[columns[k]]; of_neighbour != none)
+        two_largest.add(of_neighbour, columns[k] != i ? -inverse_diagonal[i] * values[k] : 0);
     result.parents[i] = two_largest.take();
-  }
+  });
   return result;
 }
 
-template Interpolation interpolation(const MatrixView<double>&);
-template Interpolation interpolation(const MatrixView<float>&);
+template Interpolation interpolation(const SparseRows&, const Eigen::VectorXf&);
+template Interpolation interpolation(const ShortRows&, const Eigen::VectorXf&);
 
 } // namespace pfv

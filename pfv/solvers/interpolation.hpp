@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pfv/solvers/sparse_rows.hpp"
+#include "pfv/solvers/short_rows.hpp"
 
 #include <array>
 #include <vector>
@@ -24,8 +24,9 @@ struct Interpolation {
 /// that is strongest to both. One of the pair is the root and keeps the pressure of the cluster; every other unknown
 /// gets the pressure that balances its fluxes when each neighbour has the pressure of its own cluster (a step of
 /// Jacobi, as in the Jacobi interpolation of Stueben 2001), less all but the two largest weights, which make up for the
-/// rest. Unknowns without neighbours are left out: Gauss-Seidel solves them.
-template <class Value>
-Interpolation interpolation(const MatrixView<Value>& matrix);
+/// rest. Unknowns without neighbours are left out: Gauss-Seidel solves them. `matrix` is SparseRows or ShortRows; the
+/// inverse of its diagonal is zero where rounding has left nothing of it.
+template <class Rows>
+Interpolation interpolation(const Rows& matrix, const Eigen::VectorXf& inverse_diagonal);
 
 } // namespace pfv

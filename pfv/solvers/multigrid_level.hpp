@@ -25,6 +25,8 @@ public:
   void take_no_correction(); // where there is none
 
   Eigen::VectorXf right_side, pressure;
+  const Eigen::VectorXf& inverse_diagonal() const { return inverse_diagonal_; }
+
   std::vector<Parents> from_coarser; // P, the interpolation from the coarser level; empty on the coarsest
 
 protected:

@@ -15,6 +15,14 @@ struct SparseRows {
   std::vector<float> value;
 
   int rows() const { return static_cast<int>(start.size()) - 1; }
+  /// visit(row, columns, values) for every row.
+  template <class Visit>
+  void ascending(Visit visit) const {
+    for (int row = 0; row < rows(); ++row) {
+      const auto first = static_cast<std::size_t>(start[row]), count = static_cast<std::size_t>(start[row + 1]) - first;
+      visit(row, std::span(column.data() + first, count), std::span(value.data() + first, count));
+    }
+  }
   std::size_t memory_bytes() const {
     return sizeof(int) * (start.size() + column.size()) + sizeof(float) * value.size();
   }

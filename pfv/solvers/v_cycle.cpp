@@ -19,11 +19,14 @@ double scale_of(const FlowMatrix& matrix) {
   return 1 / most;
 }
 
+Eigen::VectorXf inverse_diagonal(const FlowMatrix& matrix, double scale) {
+  return (scale * matrix.diagonal()).cwiseInverse().cast<float>();
+}
+
 /// The level below one, of which `matrix` is the matrix. None when no unknown has a neighbour.
 template <class Value>
-std::optional<CoarseLevel> coarser_level(MultigridLevel& level, const MatrixView<Value>& matrix, double scale,
-                                         const GramTerm* term) {
-  Interpolation from_coarser = interpolation(matrix);
+std::optional<CoarseLevel> coarser_level(MultigridLevel& level, Interpolation from_coarser,
+                                         const MatrixView<Value>& matrix, double scale, const GramTerm* term) {
   if (from_coarser.coarse_rows == 0)
     return std::nullopt;
   CoarseLevel coarser(
@@ -41,12 +44,17 @@ void VCycle::factor(const FlowMatrix& matrix) {
   finest_.emplace(view(top), scale_);
   if (finest_->rows() <= coarsest_rows)
     return;
-  // The first coarse matrix is summed from double precision: in wide throats nearly all of it cancels.
-  std::optional<CoarseLevel> next = coarser_level(*finest_, view(matrix), scale_, term_);
+  // The interpolation does not know of the term. The first coarse matrix is summed from double precision: in wide
+  // throats nearly all of it cancels.
+  Interpolation first = &top == &matrix ? interpolation(finest_->matrix(), finest_->inverse_diagonal())
+                                        : interpolation(finest_->matrix(), inverse_diagonal(matrix, scale_));
+  std::optional<CoarseLevel> next = coarser_level(*finest_, std::move(first), view(matrix), scale_, term_);
   while (next) {
     coarser_.push_back(std::move(*next));
-    CoarseLevel& last = coarser_.back();
-    next = last.rows() > coarsest_rows ? coarser_level(last, view(last.matrix()), 1, nullptr) : std::nullopt;
+    next.reset();
+    if (CoarseLevel& last = coarser_.back(); last.rows() > coarsest_rows)
+      next =
+          coarser_level(last, interpolation(last.matrix(), last.inverse_diagonal()), view(last.matrix()), 1, nullptr);
   }
   if (coarser_.empty())
     return;
