@@ -10,7 +10,7 @@ namespace pfv {
 
 void prefer_huge_pages(std::size_t bytes) {
   constexpr std::size_t page = std::size_t(2) << 20;
-  if (bytes < 8 * page)
+  if (bytes < 4 * page)
     return;
   // All in the one heap, which keeps what it has: only so do later arrays reuse the pages of earlier ones.
   mallopt(M_MMAP_MAX, 0);

@@ -116,7 +116,7 @@ FollowedFlow::FollowedFlow(WithoutForces /*tag*/, const Case& problem, const Flo
     : question_(problem), options_(options), solver_(make_solver(options.solver)),
       spread_shear_(shear_spread(options.conductance), problem.faces, options.walls) {
   validate_level(problem.faces, problem.pressure_points);
-  constexpr std::size_t bytes_per_sphere = 2400; // of the heap at its fullest
+  constexpr std::size_t bytes_per_sphere = 800; // of the triangulation; what comes later goes along memory
   prefer_huge_pages(bytes_per_sphere * problem.packing.spheres.size());
   question_.packing.spheres.clear();
   question_.packing.spheres.shrink_to_fit();

@@ -4,12 +4,12 @@
 #include "pfv/solvers/v_cycle.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <vector>
 
 namespace pfv {
 namespace {
 
+/// Conjugate gradients on the finest level of the V-cycle itself. Its pressures and powers are in units of their own:
+/// A of `scale` times the matrix, residuals of the size of the right side.
 class SinglePrecisionSteps final : public VCycle {
 public:
   void factor(const FlowMatrix& matrix) override {
@@ -33,23 +33,24 @@ public:
                   int most_steps) override {
     Descent descent;
     double power = start(right_side, pressure);
-    if (size_ == 0)
-      return {0, true};
-    const double unit = scale() * size_ * size_; // of the powers of the finest level
+    const double unit = scale() * size_ * size_; // of powers
     double old_error = 1, error_when_fresh = 0;
-    direction_.setZero();
     bool is_fresh = true; // the residual
-    for (most_steps = std::min(most_steps, most_single_steps); descent.steps < most_steps && !descent.is_close;) {
+    direction_.setZero();
+    most_steps = std::min(most_steps, most_single_steps);
+    while (descent.steps < most_steps && !descent.is_close) {
       const double error = correct();
-      const bool has_stalled = is_fresh && descent.steps > 0 && !(error < error_when_fresh);
       direction_ = finest().pressure + static_cast<float>(error / old_error) * direction_;
       const double curvature = finest().multiply(direction_);
+      const bool has_stalled = is_fresh && descent.steps > 0 && !(error < error_when_fresh);
       if (has_stalled || !(error > 0 && curvature > 0))
         break;
       const double length = error / curvature;
       advance(length, pressure);
       ++descent.steps;
       power += length * unit * error;
+
+      // Only of a fresh residual is the error what it says, so the one of what may be the last step has to be.
       const double bound = tolerance * tolerance * power;
       descent.is_close = is_fresh && unit * error <= bound;
       error_when_fresh = is_fresh ? error : error_when_fresh;
@@ -64,11 +65,11 @@ public:
 
 private:
   static constexpr int most_single_steps = 100;
-  static constexpr double reliable = 1e-5; // error left when residuals in single precision are no longer trusted
-  static constexpr double nearly = 3;      // times the bound: the next step may be the last one
+  static constexpr double reliable = 1e-5; // of the error left: residuals are taken anew
+  static constexpr double nearly = 3;      // times the bound, as the next error is a guess
 
-  /// Drops a guess that is worse than none. Sets size_ and the residual; returns the power of the pressure less that of
-  /// its error.
+  /// Drops a guess that is worse than none. Sets size and residual; returns the power of the pressure less that of its
+  /// error.
   double start(const Eigen::VectorXd& right_side, Eigen::VectorXd& pressure) {
     size_ = right_side.lpNorm<Eigen::Infinity>();
     const double power = refresh(right_side, pressure);
@@ -108,7 +109,7 @@ private:
   }
 
   const FlowMatrix* matrix_ = nullptr;
-  double size_ = 0; // of the first residual, unit of all
+  double size_ = 0; // of the right side, unit of residuals
   Eigen::VectorXf residual_, direction_;
 };
 
