@@ -1,6 +1,7 @@
 #include "pfv/solvers/coarse_matrix.hpp"
 
-#include <algorithm>
+#include "pfv/solvers/row_order.hpp"
+
 #include <cstddef>
 #include <numeric>
 
@@ -76,55 +77,6 @@ private:
   std::vector<Sum> sums_;    // by column; zero but for this row
 };
 
-/// Puts rows of one length next to each other, 64 at a time: they stay near in memory, and where a row ends is no
-/// surprise to loops over them.
-class RowOrder {
-public:
-  explicit RowOrder(int rows) : place_(static_cast<std::size_t>(rows)) {}
-
-  /// The rows of the matrix from the last call on.
-  void arrange_new_rows(SparseRows& matrix) {
-    const int rows = matrix.rows(), first = matrix.start[done_];
-    column_.assign(matrix.column.begin() + first, matrix.column.end());
-    value_.assign(matrix.value.begin() + first, matrix.value.end());
-    start_.assign(matrix.start.begin() + done_, matrix.start.end());
-    const auto length = [this](int row) { return start_[row + 1] - start_[row]; };
-    row_.resize(static_cast<std::size_t>(rows - done_));
-    next_.clear(); // by length
-    for (int row = 0; row < rows - done_; ++row) {
-      next_.resize(std::max(next_.size(), static_cast<std::size_t>(length(row)) + 2));
-      ++next_[length(row) + 1];
-    }
-    std::partial_sum(next_.begin(), next_.end(), next_.begin());
-    for (int row = 0; row < rows - done_; ++row) {
-      const int place = next_[length(row)]++;
-      place_[done_ + row] = done_ + place;
-      row_[place] = row;
-    }
-    int end = first;
-    for (const int row : row_) {
-      std::copy_n(column_.begin() + (start_[row] - first), length(row), matrix.column.begin() + end);
-      std::copy_n(value_.begin() + (start_[row] - first), length(row), matrix.value.begin() + end);
-      end += length(row);
-      matrix.start[++done_] = end;
-    }
-  }
-
-  void renumber(SparseRows& matrix, Interpolation& interpolation) const {
-    for (int& column : matrix.column)
-      column = place_[column];
-    for (Parents& parents : interpolation.parents)
-      for (int& row : parents.row)
-        row = place_[row];
-  }
-
-private:
-  int done_ = 0;
-  std::vector<int> place_; // by row as it came
-  std::vector<int> row_, next_, start_, column_;
-  std::vector<float> value_;
-};
-
 /// Asks for what the children after a place will read, which nobody else can guess. Inline, as a function that does
 /// nothing else counts as one without effect.
 template <class Value>
@@ -146,7 +98,6 @@ template <class Value>
 template <class Value>
 SparseRows coarse_matrix(const MatrixView<Value>& fine, Interpolation& interpolation, double scale,
                          const GramTerm& term) {
-  constexpr int rows_together = 64;
   const SparseRows restriction = children(interpolation);
   SparseRows coarse;
   coarse.start.reserve(static_cast<std::size_t>(interpolation.coarse_rows) + 1);
@@ -175,11 +126,9 @@ SparseRows coarse_matrix(const MatrixView<Value>& fine, Interpolation& interpola
           sum.add(term.by_block.entry[e].index, scale * value.dot(term.by_block.entry[e].value));
       }
     sum.move_to(coarse);
-    if (coarse.rows() % rows_together == 0)
-      order.arrange_new_rows(coarse);
+    order.follow(coarse);
   }
-  order.arrange_new_rows(coarse);
-  order.renumber(coarse, interpolation);
+  order.finish(coarse, interpolation);
   return coarse;
 }
 

@@ -12,8 +12,8 @@ namespace pfv {
 /// loop has an end to guess. Longer rows, of merged pores, are kept apart.
 class ShortRows {
 public:
-  /// `scale` times the matrix, and by row its diagonal and the sum of all entries, which is summed in double precision
-  /// as next to nothing is left of it. No allocation when it has the pattern of the last one.
+  /// `scale` times the matrix, whose rows ascend, and by row its diagonal and the sum of all entries, which is summed
+  /// in double precision as next to nothing is left of it. No allocation when it has the pattern of the last one.
   void take(const MatrixView<double>& matrix, double scale, Eigen::VectorXf& diagonal, Eigen::VectorXf& sum);
 
   int rows() const { return static_cast<int>(columns_.size() / places); }

@@ -28,7 +28,7 @@ struct SparseRows {
   }
 };
 
-/// A matrix of which the rows hold first the entries left of the diagonal, then the diagonal, then those to its right.
+/// A matrix by rows: entries start[i] .. start[i + 1], in any order.
 template <class Value>
 struct MatrixView {
   std::span<const int> start, column;
