@@ -31,7 +31,7 @@ TEST(PoreVolumes, AnswersWhatTheModelSays) {
   EXPECT_EQ(answer.counts.at("pores"), 1101);
   const auto repeated = std::ranges::count_if(
       answer.stages, [](const pfv::Stage& stage) { return stage.name.starts_with(repeat_prefix); });
-  EXPECT_EQ(answer.stages.size() - static_cast<std::size_t>(repeated), 7u);
+  EXPECT_EQ(answer.stages.size() - static_cast<std::size_t>(repeated), 8u);
   EXPECT_GE(repeated, 5); // geometry, conductances, assemble, solve, forces
 }
 
