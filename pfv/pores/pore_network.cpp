@@ -43,9 +43,7 @@ void list_throats(const Triangulation& cells, PoreNetwork::Throats& throats) {
       throats.shift[count] = cells.shifts[i][f];
     count += is_listed ? 1 : 0;
   };
-  const auto is_at_wall = [&](int i, int f) {
-    return std::ranges::any_of(facet_opposite(cells.cells[i], f), is_wall);
-  };
+  const auto is_at_wall = [&](int i, int f) { return std::ranges::any_of(facet_opposite(cells.cells[i], f), is_wall); };
   std::vector<int> at_walls;
   for (int i = 0; i < static_cast<int>(cells.cells.size()); ++i) {
     const bool touches_wall = std::ranges::any_of(cells.cells[i], is_wall);

@@ -1,5 +1,7 @@
 #include "pfv/solvers/coarse_level.hpp"
 
+#include <utility>
+
 namespace pfv {
 
 CoarseLevel::CoarseLevel(SparseRows matrix) : MultigridLevel(matrix.rows()), matrix_(std::move(matrix)) {

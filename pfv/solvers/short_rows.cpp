@@ -1,5 +1,7 @@
 #include "pfv/solvers/short_rows.hpp"
 
+#include <array>
+
 namespace pfv {
 
 void ShortRows::take(const MatrixView<double>& matrix, double scale, Eigen::VectorXf& diagonal, Eigen::VectorXf& sum) {

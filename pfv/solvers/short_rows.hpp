@@ -2,7 +2,8 @@
 
 #include "pfv/solvers/sparse_rows.hpp"
 
-#include <algorithm>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace pfv {
